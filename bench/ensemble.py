@@ -4,8 +4,9 @@
 
 Of each model, initial speeds are drawn, so that trajectories take other steps. Each way is run `repeats` times, in turns, and the fastest run counts: time between
 the first trajectory and the last, without generation and compilation. All ways are compiled for the same processors (-march): x86-64-v3 has AVX2, which
-is 4 lanes of double. Prints trajectories per second and ratios to one thread without lanes, and with --write also bench/results/ensemble.json, from which
-`./run bench --report` writes docs/performance.md.
+is 4 lanes of double. One trajectory at a time is run in two ways: as gauss-sim compiles it, with the sums of each series in vector registers, and "scalar",
+where the compiler is told to make no vectors. Prints trajectories per second and ratios to one thread without lanes, as gauss-sim compiles it, and with
+--write also bench/results/ensemble.json, from which `./run bench --report` writes docs/performance.md.
 """
 
 import argparse
@@ -19,6 +20,9 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 from harness import simulation  # noqa: E402
+
+# Behind the options of gauss-sim, so that these count.
+NO_VECTORS = "-fno-tree-vectorize", "-fno-tree-slp-vectorize"
 
 # Model, what is drawn, duration.
 PROBLEMS = [
@@ -44,22 +48,22 @@ def run(gauss_sim, folder, file, threads, lanes, compiler):
     return json.loads((folder / "table.json").read_text())
 
 
-def measured(gauss_sim, folder, problem, options, threads, compiler):
+def measured(gauss_sim, folder, problem, options, threads, compiler, scalar_compiler):
     model, drawn, duration = problem
     path = folder / f"{model}.yaml"
     path.write_text(scene(model, drawn, duration, options.trajectories, options.tolerance))
-    ways = [(1, "1"), (1, "auto"), (threads, "1"), (threads, "auto")]
+    ways = [(1, "1", compiler), (1, "auto", compiler), (threads, "1", compiler), (threads, "auto", compiler), (1, "1", scalar_compiler)]
     best = {}
     for _ in range(options.repeats):
         for way in ways:
-            summary = run(gauss_sim, folder, path, *way, compiler)
+            summary = run(gauss_sim, folder, path, *way)
             if way not in best or summary["seconds"]["run"] < best[way]["seconds"]["run"]:
                 best[way] = summary
     first = best[ways[0]]
     rows = []
     for way in ways:
         summary = best[way]
-        rows.append({"lanes": summary["lanes"], "threads": way[0], "trajectories": summary["trajectories"],
+        rows.append({"lanes": summary["lanes"], "threads": way[0], "is_scalar": way[2] == scalar_compiler, "trajectories": summary["trajectories"],
                      "trajectories_per_s": round(summary["trajectories_per_s"], 1), "steps_per_s": round(summary["steps_per_s"]),
                      "left_lanes": summary.get("left_lanes", 0), "by_status": summary["by_status"], "cpu_s": summary["seconds"]["run_cpu"],
                      "ratio": round(summary["trajectories_per_s"] / first["trajectories_per_s"], 2)})
@@ -80,13 +84,14 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for processor in options.processors:
-            compiler = simulation.compiler_for(folder, processor)
+            compilers = simulation.compiler_for(folder, processor), simulation.compiler_for(folder, processor, *NO_VECTORS)
             for problem in PROBLEMS:
-                rows = measured(options.gauss_sim.resolve(), folder, problem, options, threads, compiler)
+                rows = measured(options.gauss_sim.resolve(), folder, problem, options, threads, *compilers)
                 results.setdefault(processor, {})[problem[0]] = {"drawn": problem[1], "duration": problem[2], "rows": rows}
                 print(processor, problem[0])
                 for row in rows:
-                    print(f"  {row['lanes']} lanes, {row['threads']} threads: {row['trajectories_per_s']:12.1f}/s  ratio {row['ratio']:5.2f}  "
+                    scalar = ", scalar" if row["is_scalar"] else ""
+                    print(f"  {row['lanes']} lanes, {row['threads']} threads{scalar}: {row['trajectories_per_s']:12.1f}/s  ratio {row['ratio']:5.2f}  "
                           f"left {row['left_lanes']}", flush=True)
     if options.write:
         simulation.write(simulation.ENSEMBLE, {"tolerance": float(options.tolerance), "repeats": options.repeats, "processors": results})

@@ -70,10 +70,10 @@ std::string remedy_of_positions(const Mechanics& mechanics, const kinematics::Co
   }
   const std::string orientations = joined(movers.given_orientations);
   if (!movers.given.empty())
-    return fmt::format("give {} an initial_guess instead of a value, or let --assemble move all values{}",
+    return fmt::format("give {} an initial_guess instead of a value, or let 'gauss-gen --assemble' move all values{}",
                        joined(movers.given), orientations.empty() ? "" : ", and the orientation " + orientations);
   if (!orientations.empty())
-    return fmt::format("correct 'initial' of the orientation {}, or let --assemble turn it", orientations);
+    return fmt::format("correct 'initial' of the orientation {}, or let 'gauss-gen --assemble' turn it", orientations);
   return "no coordinate moves it at this position: start from another one";
 }
 
@@ -128,7 +128,8 @@ std::string remedy(const Mechanics& mechanics, const Violation& violation, Model
   }
   if (has_angular_velocity) {
     return fmt::format(
-        "{} is open: state about what it is in 'initial_angular_velocity', and let --assemble move it from there",
+        "{} is open: state about what it is in 'initial_angular_velocity', and let 'gauss-gen --assemble' move it from "
+        "there",
         joined(stuck));
   }
   if (!stuck.empty()) {

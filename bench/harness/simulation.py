@@ -18,10 +18,10 @@ TAYLOR = build.ROOT / "bench/results/taylor.json"
 AVX2 = "x86-64-v3"
 
 
-def compiler_for(folder, processor):
+def compiler_for(folder, processor, *flags):
     """What gauss-sim compiles with for some processors (-march), for $CXX."""
-    compiler = folder / f"compiler-for-{processor}"
-    compiler.write_text(f'#!/bin/sh\nexec c++ "$@" -march={processor}\n', encoding="utf-8")
+    compiler = folder / "".join([f"compiler-for-{processor}", *flags])
+    compiler.write_text(f'#!/bin/sh\nexec c++ "$@" {" ".join([f"-march={processor}", *flags])}\n', encoding="utf-8")
     compiler.chmod(0o755)
     return str(compiler)
 
@@ -53,8 +53,9 @@ Its attitude, all other coordinates, speeds and reactions at 501 times in 10 s, 
 ABOUT_ENSEMBLE = """
 ### Ensembles
 
-Trajectories per second of `gauss-sim ensemble` by power series, whose initial speeds are drawn, with all that is compiled for the same processors: {lanes}. The best of {repeats} runs of each way. One at a time takes
-registers, too, for the sums of products within one series, so that lanes bring less than their number, and how much less depends on the processor.
+Trajectories per second of `gauss-sim ensemble` by power series, whose initial speeds are drawn, with all that is compiled for the same processors: {lanes}. The best of {repeats} runs of each way, relative to one at a
+time as `gauss-sim` compiles it. That takes vector registers, too, for the sums of products within one series, so that lanes bring less than their number, and how much less depends on the processor. "Scalar": one
+at a time, where the compiler is told to make no vectors (`-fno-tree-vectorize -fno-tree-slp-vectorize`). "To scalar": all lanes and threads, to that.
 
 """
 ABOUT_DELIVERED = """
@@ -102,7 +103,9 @@ def targets(driver, accuracy, ensemble, delivered, start, taylor):
     for processor, problems in ensemble["processors"].items():
         ways = [all_lanes(one) for one in problems.values()]
         of = "AVX2" if processor == AVX2 else "this processor"
-        yield faster(f"ensembles, two threads and all {ways[0]['lanes']} lanes of {of} against one, least of {len(ways)} models", 1, min(way["ratio"] for way in ways), 6)
+        work = f"ensembles, two threads and all {ways[0]['lanes']} lanes of {of}, least of {len(ways)} models"
+        yield faster(f"{work}, against one thread of scalar code", 1, min(map(to_scalar, problems.values())), 6)
+        yield faster(f"{work}, against one thread whose series use the registers, too", 1, min(way["ratio"] for way in ways), 6)
     found = [row for row in delivered["rows"] if row.get("delivered") is not None]
     if found:
         yield at_most("`run --error`: delivered over asked for, largest", max(row["delivered"] / row["asked"] for row in found), 1)
@@ -147,7 +150,13 @@ def ball_block(found, reactions):
 
 def all_lanes(problem):
     """The row with all threads and lanes."""
-    return problem["rows"][-1]
+    return next(row for row in reversed(problem["rows"]) if not row["is_scalar"])
+
+
+def to_scalar(problem):
+    """How many times as many trajectories all threads and lanes run as one thread of code without vectors."""
+    scalar = next(row for row in problem["rows"] if row["is_scalar"])
+    return all_lanes(problem)["trajectories_per_s"] / scalar["trajectories_per_s"]
 
 
 def some(count, what):
@@ -160,7 +169,8 @@ def ensemble_block(found):
     head, columns = ["model"], []
     for processor, problems in found["processors"].items():
         one = next(iter(problems.values()))["rows"]
-        head += [f"{processor}: one at a time"] + [f"{some(row['lanes'], 'lane')}, {some(row['threads'], 'thread')}" for row in one[1:]]
+        head += [f"{processor}: one at a time"] + [f"{some(row['lanes'], 'lane')}, {some(row['threads'], 'thread')}" for row in one[1:] if not row["is_scalar"]]
+        head += ["scalar", "to scalar"]
         columns.append(problems)
     rows = []
     for model in columns[0]:
@@ -168,6 +178,7 @@ def ensemble_block(found):
         for problems in columns:
             first, *rest = problems[model]["rows"]
             row += [number(round(first["trajectories_per_s"])) + "/s"] + [f"{one['ratio']:.2f} times" for one in rest]
+            row.append(f"{to_scalar(problems[model]):.2f} times")
         rows.append(row)
     return text + table(head, rows)
 

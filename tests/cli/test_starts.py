@@ -193,7 +193,7 @@ constraints: {c: {velocity: wy^2 + 0.95*wz^2 - 0.74}}
         self.assertAlmostEqual(wy**2 + 0.95 * wz**2, 0.74, 15)
         self.assertLess(math.dist((wy, wz), (-0.85, -0.15)), 0.01)
         refused = self.refused(1, "-", "--check", stdin=turning.replace("{STATED}", "{wx: 1, wz: 0}"))
-        self.assertIn("hint: wy is open: state about what it is in 'initial_angular_velocity', and let --assemble move it from there", refused)
+        self.assertIn("hint: wy is open: state about what it is in 'initial_angular_velocity', and let 'gauss-gen --assemble' move it from there", refused)
 
     def pasted(self, text):
         """Hints of W068 in the place of the guesses of coordinates or joints."""

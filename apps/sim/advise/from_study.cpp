@@ -116,6 +116,7 @@ StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepa
   double least_error = std::numeric_limits<double>::infinity(), agreement = 0;
   StudyPoint best;
   best.seconds = std::numeric_limits<double>::infinity();
+  std::string why_no_reference;
   bool is_known = false;
   for (const Json& problem : study["problems"]) {
     if (!problem.is_object() || text_at(problem, "name") != prepared.name() || !problem["points"].is_array()) continue;
@@ -125,6 +126,7 @@ StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepa
     if (!other.empty())
       throw cli::FileError(fmt::format("{}: '{}' is another problem there: {}", path, prepared.name(), other));
     agreement = agreement_of(problem);
+    why_no_reference = text_at(problem, "why");
     for (const Json& one : problem["points"]) {
       if (!is_timed(one)) continue;
       const StudyPoint point = point_of(one);
@@ -134,7 +136,9 @@ StudyPoint cheapest_in_study(const std::string& path, const PreparedModel& prepa
     }
   }
   if (!is_known) throw cli::FileError(fmt::format("{} has no problem '{}'", path, prepared.name()));
-  if (!(agreement <= k_agreement * error))
+  if (std::isinf(agreement))
+    why = fmt::format("the study has no reference{}{}", why_no_reference.empty() ? "" : ": ", why_no_reference);
+  else if (!(agreement <= k_agreement * error))
     why = fmt::format("the reference of the study is good to {:.1e}, and an error of {:.1e} takes {:.1e}", agreement,
                       error, k_agreement * error);
   else if (std::isinf(least_error))

@@ -86,7 +86,9 @@ void add_setting(CLI::App* command, RunOptions& options) {
   command->add_flag("-q,--quiet", options.quiet, "say nothing but errors and warnings");
 }
 
-/// Of a search for a setting: it is what the search finds that takes a tolerance or a step.
+/// What a search for a setting finds.
+constexpr const char* k_found_by_search[] = {"--tolerance", "--step"};
+
 CLI::Option* add_error(CLI::App* command, RunOptions& options, const char* text) {
   command
       ->add_option("--budget", options.budget,
@@ -94,11 +96,11 @@ CLI::Option* add_error(CLI::App* command, RunOptions& options, const char* text)
                    "before it, and the run after it, come on top; default 600")
       ->type_name("S")
       ->check(positive());
-  return command->add_option("--error", options.error, text)
-      ->type_name("E")
-      ->check(share())
-      ->excludes("--tolerance")
-      ->excludes("--step");
+  CLI::Option* const error = command->add_option("--error", options.error, text)->type_name("E")->check(share());
+  for (const char* const found : k_found_by_search) {
+    if (CLI::Option* const given = command->get_option_no_throw(found)) error->excludes(given);
+  }
+  return error;
 }
 
 void add_run(CLI::App& app, RunOptions& options) {
@@ -154,7 +156,9 @@ void add_study(CLI::App& app, StudyOptions& options) {
   CLI::App* const study =
       app.add_subcommand("study", "Try all settings, and show what accuracy costs in time: tables and a page");
   study->add_option("FILE", options.files, "scenes or models, a problem each")->required();
-  study->add_option("-o,--output", options.output, "path of what is written, without its ending; default study")
+  study
+      ->add_option("-o,--output", options.output,
+                   "path of what is written, to which .json, .csv and .html are added; default study")
       ->type_name("PATH");
   study
       ->add_option("--methods", options.methods,
@@ -185,6 +189,7 @@ void add_advise(CLI::App& app, AdviseOptions& options) {
       app.add_subcommand("advise", "Find the cheapest setting that delivers an error, for pasting into a scene");
   advise->add_option("FILE", options.file, "scene or model")->required();
   add_setting(advise, options);
+  for (const char* const found : k_found_by_search) advise->remove_option(advise->get_option(found));
   add_error(advise, options, "largest error of all outputs, relative to their ranges")->required();
   advise->add_option("--study", options.study, "take it from this study (JSON) instead of trying now")
       ->type_name("FILE");

@@ -37,7 +37,7 @@ class Fixed final : public Integrator<S> {
     using std::ceil;
     const S way = end - t_;
     if (!(way > S(0)) || !is_running()) return is_running() && way == S(0);
-    const S wanted = ceil(way / step_ * S(1 - k_rounding));
+    const S wanted = ceil((way - rounding_of(end)) / step_ * S(1 - k_rounding));
     // No run takes so many, and no integer counts them all.
     if (!(wanted < S(k_most_steps))) return progress_.outcome = Outcome::too_many_steps, false;
     const auto count = static_cast<long>(std::max(wanted, S(1)));
@@ -57,6 +57,12 @@ class Fixed final : public Integrator<S> {
 
   static constexpr double k_most_steps = 1e15;
   static constexpr double k_rounding = 1e-12;  ///< of a way that is a whole number of steps
+
+  /// Of a way between two times as they are written, which far from 0 is more than that.
+  S rounding_of(const S& end) const {
+    using gauss::integrate::magnitude;
+    return 2 * gauss::Math<S>::epsilon() * std::max(magnitude(t_), magnitude(end));
+  }
 
   bool is_running() const { return progress_.outcome == Outcome::running; }
 

@@ -65,12 +65,14 @@ class BulirschStoer final : public Integrator<S> {
     constexpr int k_usual_order = 8;
     if (!(step_ > S(0))) step_ = gauss::Math<S>::pow(settings_.tolerance, S(1) / k_usual_order) * (end - t_);
     if (!(first_ > S(0))) first_ = std::min(step_, end - t_);
-    bool is_taken = false;
+    bool is_taken = false, was_refused = false;
     while (!is_taken && is_running()) {
       const S wanted = settings_.longest_step > S(0) ? std::min(step_, settings_.longest_step) : step_;
       if (shortest_in_a_row_ > k_most_shortest || shortest_ > k_most_edges) return stop(Outcome::step_too_small);
-      const bool arrives = gauss::simulate::arrives(t_, wanted, end);
+      // A step that is shorter than one that was refused is another one.
+      const bool arrives = was_refused ? t_ + wanted >= end : gauss::simulate::arrives(t_, wanted, end);
       is_taken = attempt(arrives ? end - t_ : wanted, arrives ? end : t_ + wanted);
+      was_refused = !is_taken;
       // What comes after a step that was cut off to arrive is not known better than before it.
       if (is_taken && arrives) step_ = std::max(step_, wanted);
     }

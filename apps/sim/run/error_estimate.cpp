@@ -42,6 +42,22 @@ long double doubt_of(const Rows& rows, const Rows& other, std::size_t column) {
   return most;
 }
 
+/// Whether two runs share how an output begins to move: until it has moved by a quarter of its range, they differ by less than one of `times` parts of that. Runs that lose each other later do, and noise does not: eight
+/// samples of it are not alike by chance.
+bool begin_alike(const Rows& rows, const Rows& other, std::size_t column, long double range, long double times) {
+  constexpr long k_alike = 8;
+  const long samples = std::min(rows.samples(), other.samples());
+  long double least = std::numeric_limits<long double>::infinity(), most = -least, apart = 0;
+  for (long k = 0; k < samples; ++k) {
+    const long double value = rows.at(k, column);
+    least = std::min(least, value);
+    most = std::max(most, value);
+    apart = std::max(apart, std::abs(value - other.at(k, column)));
+    if (k >= k_alike && most - least >= range / 4) return most - least > times * apart;
+  }
+  return false;
+}
+
 /// What stays within this, in its unit, is 0 but for rounding, if nothing of that unit is more.
 constexpr long double k_nothing = 1e-12;
 
@@ -77,12 +93,16 @@ Yardstick::Yardstick(Rows rows, const Rows& other, const std::vector<Column>& co
   const long double digits = std::max(static_cast<long double>(rounding), std::numeric_limits<long double>::epsilon());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     // Two runs in double may drift alike, by what rounding makes from step to step: so small a range has to be clearer.
-    constexpr long double k_clear = 10, k_clearer = 100, k_drift = 1e5 * std::numeric_limits<double>::epsilon();
+    constexpr long double k_clear = 10, k_clearer = 100, k_noise = 1e5,
+                          k_drift = k_noise * std::numeric_limits<double>::epsilon();
     const long double range = extents[i].range, size = std::max(extents[i].size, by_unit[columns[i].unit]);
     const long double times = range > k_drift * extents[i].size ? k_clear : k_clearer;
-    const bool is_clear = range > std::max(times * doubt_of(rows_, other, i), k_clear * digits * size);
-    const bool is_constant =
-        is_conserved(columns, extents, i) || (!is_clear && (range <= least * size || size <= k_nothing));
+    const bool is_told = range > times * doubt_of(rows_, other, i) || begin_alike(rows_, other, i, range, times);
+    const bool is_clear = is_told && range > k_clear * digits * size;
+    // What steps make of it becomes less with them, and rounding is less than what two wrong runs have.
+    const bool is_of_steps =
+        range <= least * size && (range <= k_noise * digits * size || range < extent_of(other, i).range / 2);
+    const bool is_constant = is_conserved(columns, extents, i) || (!is_clear && (is_of_steps || size <= k_nothing));
     const long double scale = !is_constant ? range : size <= k_nothing ? 1 : size;
     outputs_.push_back({columns[i].name, scale, is_constant});
   }

@@ -41,9 +41,9 @@ std::string in_words(const Estimate& estimate, bool is_found) {
              : fmt::format("{} at most; two tighter runs agree to {} only", text, said(estimate.agreement->value));
 }
 
-/// Of forces that jump: nobody knows of those that act for less than a step of what the run is compared with.
+/// Of forces that jump, or are functions of time: nobody knows of those that act for less than a step of what the run is compared with.
 std::string what_is_seen(const PreparedModel& prepared) {
-  if (!is_jump(prepared.edge)) return "";
+  if (!is_jump(prepared.edge) && !prepared.acts_in_time) return "";
   return fmt::format("; of what acts for {} s or longer", said(longest_steps(prepared).fine));
 }
 
@@ -103,6 +103,19 @@ void warn_of_closed_forms(const KnownErrors& errors, double asked, const cli::Me
             messages);
 }
 
+/// From a time to the next one that there is.
+double time_rounding(const FinishedRun& finished) {
+  return rounding_unit(finished.setting.number) * std::abs(finished.run.reached);
+}
+
+/// Of the time between rows: steps that have to be shorter than few roundings of times, where this is one of them, are so because of it.
+constexpr double k_coarse = 1e-7;
+
+double between_rows(const FinishedRun& finished) {
+  const Span& span = finished.prepared.span;
+  return span.duration / static_cast<double>(span.samples - 1);
+}
+
 /// With the exit code of motions that end before their time.
 int say_why_it_stops(const FinishedRun& finished, bool has_new_rows, const cli::MessageOptions& messages) {
   const Simulated& run = finished.run;
@@ -110,7 +123,13 @@ int say_why_it_stops(const FinishedRun& finished, bool has_new_rows, const cli::
   const std::string why = run.why.empty() ? gauss::simulate::name(run.outcome) : run.why;
   const bool is_by_steps = run.outcome == Outcome::too_many_steps || run.outcome == Outcome::step_too_small;
   std::string hint;
-  if (is_by_steps && !prepared.edge.empty())
+  if (run.outcome == Outcome::step_too_small && time_rounding(finished) > k_coarse * between_rows(finished))
+    hint = fmt::format(
+        "in {}, times near {:.3g} s are {:.1g} s apart, which is too much for such short steps: begin nearer to 0, or "
+        "take a "
+        "looser tolerance or a wider number type",
+        finished.setting.number, run.reached, time_rounding(finished));
+  else if (is_by_steps && !prepared.edge.empty())
     hint = hint_for_edge(prepared.edge);
   else if (run.outcome == Outcome::too_many_steps && finished.csv != "-" && has_new_rows)
     hint = "--resume goes on from the last row, for as many steps again";
@@ -161,7 +180,7 @@ int report_end(const FinishedRun& finished, bool has_new_rows, const cli::Messag
     return cli::fail(fmt::format("the run is off by {:.2e}, in {}", error->value, error->output), cli::k_not_delivered,
                      messages);
   if (run.untrusted_samples > 0)
-    cli::warn(fmt::format("outputs of {} samples are not to be trusted: {}", run.untrusted_samples,
+    cli::warn(fmt::format("not all outputs of {} samples are to be trusted: {}", run.untrusted_samples,
                           gauss::name(run.sample_status)),
               messages);
   if (run.was_interrupted) {

@@ -52,17 +52,37 @@ class Edges {
   std::set<std::pair<int, std::string>> found_;
 };
 
+/// Nothing moves by what is only told.
+template <class Visit>
+void for_each_that_acts(const model::Model& of, Visit&& visit) {
+  model::for_each_slot(of, [&](const model::Ast& ast, const model::Slot& slot) {
+    const bool is_closed_form =
+        std::any_of(of.exact.begin(), of.exact.end(), [&](const auto& form) { return &form.value == &ast; });
+    if (slot.stated == nullptr && !is_closed_form) visit(ast);
+  });
+}
+
+bool has_time(const model::Model& of, const model::Ast& ast) {
+  if (ast.kind == model::AstKind::symbol) {
+    const auto symbol = of.symbols.find(ast.name);
+    return symbol != of.symbols.end() && symbol->second.kind == model::SymbolKind::time;
+  }
+  return std::any_of(ast.children.begin(), ast.children.end(),
+                     [&](const model::Ast& child) { return has_time(of, child); });
+}
+
 }  // namespace
 
 std::string function_with_edge(const model::Model& of) {
   Edges edges(of);
-  model::for_each_slot(of, [&](const model::Ast& ast, const model::Slot& slot) {
-    // Nothing moves by what is only told.
-    const bool is_closed_form =
-        std::any_of(of.exact.begin(), of.exact.end(), [&](const auto& form) { return &form.value == &ast; });
-    if (slot.stated == nullptr && !is_closed_form) edges.visit(ast);
-  });
+  for_each_that_acts(of, [&](const model::Ast& ast) { edges.visit(ast); });
   return edges.hardest();
+}
+
+bool acts_in_time(const model::Model& of) {
+  bool result = false;
+  for_each_that_acts(of, [&](const model::Ast& ast) { result = result || has_time(of, ast); });
+  return result;
 }
 
 bool is_jump(const std::string& function) { return function == "sign" || function == "piecewise"; }

@@ -285,6 +285,7 @@ class Preparation {
     result_.parameters.clear();
     for (const model::Parameter& one : read.parameters) result_.parameters.emplace_back(one.name.text, one.value);
     result_.edge = function_with_edge(read);
+    result_.acts_in_time = acts_in_time(read);
     if (const std::string remark = remark_on_edge(); !remark.empty()) remarks_.push_back(remark);
     if (set_parameters_alone(request_.sets, read)) closed_forms_ = read.exact;
     result_.span = read_times(scene, parameters_, in_scene_);

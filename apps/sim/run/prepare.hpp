@@ -42,6 +42,7 @@ struct PreparedModel {
   double generate_seconds = 0;
   int operations = 0;               ///< of the rates
   int series_operations = 0;        ///< of power series, those of each order once; 0: there are none
+  bool acts_in_time = false;        ///< what acts is a function of time, too
   std::string edge;                 ///< a function in what acts that jumps or has a kink; empty: all of it is smooth
   std::array<double, 3> gravity{};  ///< m/s², space: the sum of uniform fields at the start
   bool wants_gains = false;         ///< the projection `gains` may be asked for

@@ -14,13 +14,13 @@ constexpr double k_nudged_seconds = 1.5 * k_long_run;
 constexpr double k_most_interpreted = 2;  ///< s
 
 /// So much closer to the motion that what it differs by from a run is the error of that.
-Setting in_wider(const Setting& setting, const std::string& number, const PreparedModel& prepared) {
-  constexpr double k_tighter = 1e-2, k_of_steps = 1e-12, k_shorter = 0.5;
+Setting in_wider(const Setting& setting, const std::string& number, double error, const PreparedModel& prepared) {
+  constexpr double k_tighter = 1e-2, k_of_steps = 1e-10, k_shorter = 0.5;
   Setting wide;
   wide.method = computes_in(*find_method(k_method_of_any_model), number) ? k_method_of_any_model : k_relative;
   wide.number = number;
-  wide.tolerance =
-      std::max(setting.tolerance > 0 ? k_tighter * setting.tolerance : k_of_steps, least_tolerance(number));
+  const double tolerance = setting.tolerance > 0 ? setting.tolerance : k_of_steps;
+  wide.tolerance = std::max(k_tighter * std::min(tolerance, error), least_tolerance(number));
   wide.longest_step = longest_steps(prepared).other;
   if (setting.longest_step > 0) wide.longest_step = std::min(wide.longest_step, k_shorter * setting.longest_step);
   // Gains are compiled, and another way to the same motion.
@@ -58,8 +58,9 @@ RoundingCheck::RoundingCheck(const PreparedModel& prepared, const Engine& engine
   nudged_ = begin_in_rows(prepared, engine, nudged, k_nudged_seconds);
 }
 
-std::optional<RoundingCheck::WideRows> RoundingCheck::rows_in(const std::string& wider, double lost, Engines& engines,
-                                                              const Simulated& run, double most_seconds) const {
+std::optional<RoundingCheck::WideRows> RoundingCheck::rows_in(const std::string& wider, double lost, double known,
+                                                              Engines& engines, const Simulated& run,
+                                                              double most_seconds) const {
   const auto within = [&](double seconds, const Engine& engine, const Setting& setting) -> std::optional<WideRows> {
     const TimeLimit limit(seconds);
     RunInRows told = in_rows(prepared_, engine, setting, Meter::none);
@@ -67,7 +68,7 @@ std::optional<RoundingCheck::WideRows> RoundingCheck::rows_in(const std::string&
     return WideRows{std::move(told.rows), setting.tolerance};
   };
   const auto interpreted = engine_.another();
-  Setting wide = in_wider(setting_, wider, prepared_);
+  Setting wide = in_wider(setting_, wider, std::max(lost, known), prepared_);
   if (auto rows = within(k_most_interpreted, *interpreted, wide)) return rows;
   if (const double loose = looser(wide.tolerance, lost); loose > wide.tolerance) {
     wide.tolerance = loose;
@@ -106,10 +107,11 @@ RoundingError RoundingCheck::error_of(const Simulated& run, const Rows& rows, co
     states_ = passage(prepared_, *engine_.another(), setting_, most_seconds).states;
   const LostDigits digits(prepared_, engine_, setting_, states_, yardstick);
   const Lost lost = digits.in(number);
-  if (!is_much(lost, std::max(known, result.value), setting_)) return result;
+  known = std::max(known, result.value);
+  if (!is_much(lost, known, setting_)) return result;
   result.lost = lost;
   result.wider = wider_than(digits, lost.value);
-  const auto told = rows_in(result.wider, lost.value, engines, run, most_seconds);
+  const auto told = rows_in(result.wider, lost.value, known, engines, run, most_seconds);
   result.is_told_in_wider = told.has_value();
   DeliveredError& error = result;
   if (told)

@@ -43,8 +43,8 @@ class RoundingCheck {
   };
 
   /// Of a tighter run there. Nothing: it does not get as far as the run.
-  std::optional<WideRows> rows_in(const std::string& wider, double lost, Engines& engines, const Simulated& run,
-                                  double most_seconds) const;
+  std::optional<WideRows> rows_in(const std::string& wider, double lost, double known, Engines& engines,
+                                  const Simulated& run, double most_seconds) const;
   /// What the run takes for constant may move there.
   DeliveredError by_wider(const Rows& rows, const WideRows& wide, const Yardstick& yardstick) const;
 

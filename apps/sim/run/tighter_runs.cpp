@@ -32,7 +32,7 @@ class Tightening {
         setting_(setting),
         run_(run),
         rows_(rows),
-        rounding_(least_tolerance(setting.number)) {
+        rounding_(rounding_unit(setting.number)) {
     // Runs in float do not see what they share: the rounding of values and times.
     const Engine* const wide = setting.number == "float" ? engines.of("double") : nullptr;
     if (wide != nullptr) setting_.number = "double", engine_ = wide;

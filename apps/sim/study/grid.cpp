@@ -16,7 +16,7 @@ namespace {
 /// Steps of one length that are as many in the motion as this, from few to many.
 constexpr double k_fewest_steps = 1e2, k_most_steps = 1e7;
 constexpr double k_tightest = 1e-13;           ///< tolerance
-constexpr double k_rounding_of_powers = 1e-6;  ///< of tolerances that are powers
+constexpr double k_rounding_of_powers = 1e-6;  ///< of tolerances and steps that are powers
 
 std::vector<double> between(double from, double to, int per_decade) {
   std::vector<double> values;
@@ -28,6 +28,12 @@ std::vector<double> between(double from, double to, int per_decade) {
     values.push_back(per_decade == 1 ? std::stod(fmt::format("{:.3g}", value)) : value);
   }
   return values;
+}
+
+/// As it is taken: steps of one length divide the time from a sample to the next.
+double step_between_samples(double step, const Span& span) {
+  const double between = span.duration / static_cast<double>(span.samples - 1);
+  return between / std::ceil(between / step * (1 - k_rounding_of_powers));
 }
 
 class GridMaker {
@@ -93,9 +99,11 @@ class GridMaker {
     std::vector<Candidate>& row = rows_.emplace_back();
     if (!method.takes_step) candidate.setting.longest_step = forms_[form].model.scene.longest_step.value_or(0);
     if (method.takes_step) {
-      const double duration = forms_[form].model.span.duration;
-      for (const double step : between(duration / k_fewest_steps, duration / k_most_steps, 2)) {
-        candidate.setting.step = step;
+      const Span& span = forms_[form].model.span;
+      for (const double step : between(span.duration / k_fewest_steps, span.duration / k_most_steps, 2)) {
+        const double taken = step_between_samples(step, span);
+        if (!row.empty() && taken == row.back().setting.step) continue;
+        candidate.setting.step = taken;
         row.push_back(candidate);
       }
       return;

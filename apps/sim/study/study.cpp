@@ -103,17 +103,24 @@ int check_files(const StudyOptions& options) {
   return worst;
 }
 
+/// Of study.html as of study: each of the three files has an ending of its own.
+std::string without_ending(const std::string& output) {
+  const std::filesystem::path path(output);
+  const bool is_ours = path.extension() == ".html" || path.extension() == ".json" || path.extension() == ".csv";
+  return is_ours ? (path.parent_path() / path.stem()).string() : output;
+}
+
 }  // namespace
 
 int study(const StudyOptions& options) {
   const Interruption interruption;
+  const std::string output = without_ending(options.output);
   if (options.loosest < options.tightest)
     throw cli::UsageError(
         fmt::format("--loosest {:g} is tighter than --tightest {:g}", options.loosest, options.tightest));
-  if (std::filesystem::path(options.output).filename().empty())
-    throw cli::UsageError(
-        fmt::format("-o '{}': a name is missing, to which .json, .csv and .html are added", options.output));
-  for (const char* const ending : {".json", ".csv", ".html"}) check_writable(options.output + ending);
+  if (std::filesystem::path(output).filename().empty())
+    throw cli::UsageError(fmt::format("-o '{}': a name is missing, to which .json, .csv and .html are added", output));
+  for (const char* const ending : {".json", ".csv", ".html"}) check_writable(output + ending);
   if (options.files.size() > 1) {
     const EndsAtOnce while_it_checks(options.messages);
     if (const int code = check_files(options); code != cli::k_ok) return code;
@@ -137,11 +144,11 @@ int study(const StudyOptions& options) {
   }
   const auto json = study_json(problems, options);
   std::list<cli::Replacement> files;
-  files.emplace_back(options.output + ".json", json.dump(1) + "\n");
-  files.emplace_back(options.output + ".csv", study_csv(problems));
-  files.emplace_back(options.output + ".html", page(json.dump()));
+  files.emplace_back(output + ".json", json.dump(1) + "\n");
+  files.emplace_back(output + ".csv", study_csv(problems));
+  files.emplace_back(output + ".html", page(json.dump()));
   for (cli::Replacement& file : files) file.commit();
-  if (!options.quiet) cli::write_standard_output(fmt::format("wrote {0}.json, {0}.csv and {0}.html\n", options.output));
+  if (!options.quiet) cli::write_standard_output(fmt::format("wrote {0}.json, {0}.csv and {0}.html\n", output));
   if (was_interrupted(problems, options)) return say_interrupted(problems, options);
   const bool tells_anything =
       std::any_of(problems.begin(), problems.end(), [](const StudyProblem& one) { return one.why.empty(); });

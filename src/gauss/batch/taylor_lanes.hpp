@@ -61,10 +61,12 @@ class TaylorLanes {
     for (std::size_t i = 0; i < Model::size; ++i) {
       state_.values[i] = xsimd::select(where, start.values[i], state_.values[i]);
       sizes_[i] = xsimd::select(where, none, sizes_[i]);
+      largest_rates_[i] = xsimd::select(where, none, largest_rates_[i]);
     }
     t_ = xsimd::select(where, start_time, t_);
     span_ = xsimd::select(where, none, span_);
     reach_ = xsimd::select(where, none, reach_);
+    refused_ = xsimd::select(where, none, refused_);
     taken_ = xsimd::select(where, none, taken_);
     most_ = xsimd::select(where, Batch(std::numeric_limits<Number>::infinity()), most_);
     lost_ = lost_ && !where;
@@ -131,6 +133,8 @@ class TaylorLanes {
     integrate::rate_of_series(series_, span, rates);
     for (std::size_t i = 0; i < Model::size; ++i) {
       expected_[i] = rates[i];
+      const Batch largest = xsimd::max(largest_rates_[i], size_of(series_.values[1][i]));
+      largest_rates_[i] = xsimd::select(moves, largest, largest_rates_[i]);
       state_.values[i] = xsimd::select(moves, there.values[i], state_.values[i]);
     }
     t_ = xsimd::select(moves, xsimd::select(arrives, goal, t_ + span), t_);
@@ -151,15 +155,19 @@ class TaylorLanes {
   }
 
   Mask agrees_but_for(const Values& rounding) const {
-    const Number by_terms = std::min(Number(k_stiff), Number(k_of_rates) / settings_.tolerance);
-    const Batch most_off = xsimd::select(is_told_, Batch(by_terms), Batch(Number(1)));
+    const Mask is_strict = refused_ > Batch(Number(0));
     Mask agrees = Mask(true);
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Batch off = size_of(expected_[i] - series_.values[1][i]) - rounding[i];
-      agrees = agrees && span_ * off <= most_off * allowed_[i];
+      const Batch off = size_of(expected_[i] - series_.values[1][i]);
+      const Mask is_jump = off > Number(k_jump) * largest_rates_[i];
+      const Batch by_terms = xsimd::select(is_jump, Batch(most_off(k_stiff_at_jumps)), Batch(most_off(k_stiff)));
+      const Batch most = xsimd::select(is_told_ && !(is_jump && is_strict), by_terms, Batch(Number(1)));
+      agrees = agrees && span_ * (off - rounding[i]) <= most * allowed_[i];
     }
     return agrees;
   }
+
+  Number most_off(double stiff) const { return std::min(Number(stiff), Number(k_of_rates) / settings_.tolerance); }
 
   /// Of rates, as TaylorSimulation has it. A lane without rates there has none that it could have been taken for.
   bool find_rounding(Values& rounding) const {
@@ -186,6 +194,8 @@ class TaylorLanes {
     t_ = xsimd::select(where, t_before_, t_);
     taken_ = taken_ - xsimd::select(where, Batch(Number(1)), Batch(Number(0)));
     const Batch none(std::numeric_limits<Number>::infinity());
+    const Batch refused = xsimd::select(span_ < refused_, refused_, Batch(Number(0)));
+    refused_ = xsimd::select(where, xsimd::max(refused_, span_), refused);
     most_ = xsimd::select(where, span_ * Number(0.5), xsimd::select(span_ > Batch(Number(0)), none, most_));
   }
 
@@ -297,7 +307,8 @@ class TaylorLanes {
   static Batch last_places() { return Number(4) * Math<Batch>::epsilon(); }
   static Batch least() { return Batch(std::numeric_limits<Number>::min() / std::numeric_limits<Number>::epsilon()); }
 
-  static constexpr double k_stiff = 10'000, k_of_rates = 0.1;  ///< as TaylorSimulation has them
+  // As TaylorSimulation has them.
+  static constexpr double k_stiff = 10'000, k_stiff_at_jumps = 100, k_jump = 0.001, k_of_rates = 0.1;
   static constexpr double k_usual = 10'000;     ///< as SeriesControl has it
 
   Model model_;
@@ -308,8 +319,9 @@ class TaylorLanes {
   Batch t_, t_before_ = Batch(Number(0)), span_ = Batch(Number(0));
   Batch reach_ = Batch(Number(0));  ///< the last step that went on
   Batch most_ = Batch(std::numeric_limits<Number>::infinity());
+  Batch refused_ = Batch(Number(0));  ///< as TaylorSimulation has it
   Batch taken_ = Batch(Number(0));
-  Values sizes_ = zeros(), allowed_ = zeros(), expected_ = zeros();
+  Values sizes_ = zeros(), allowed_ = zeros(), expected_ = zeros(), largest_rates_ = zeros();
   Mask lost_ = Mask(false);
   Mask is_told_ = Mask(true);  ///< as SeriesControl has it
   Status status_{};

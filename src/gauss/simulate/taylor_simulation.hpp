@@ -293,6 +293,7 @@ class TaylorSimulation {
     Scalar span = control_.span(series(), longest(end));
     const Scalar least = 4 * Math<Scalar>::epsilon() * std::max({begin_, -begin_, end - begin_});
     for (jumped_ = false; span > least && !holds(span); ++report_.rejected) {
+      refused_ = std::max(refused_, span);
       span = span / 2;
       control_.shorten(series(), span);
     }
@@ -301,6 +302,7 @@ class TaylorSimulation {
       span_ = 0;
       return;
     }
+    if (!(span < refused_)) refused_ = 0;
     span_ = span;
     ++report_.steps;
     control_.took(span);
@@ -352,7 +354,8 @@ class TaylorSimulation {
     bool is_near = true;
     for (std::size_t i = 0; i < Model::size; ++i) {
       off[i] = control_.size_of(rates[i] - next().values[1][i]);
-      is_near = is_near && span * off[i] <= most_off() * control_.allowed()[i];
+      largest_rates_[i] = std::max(largest_rates_[i], control_.size_of(series().values[1][i]));
+      is_near = is_near && span * off[i] <= most_off(off[i], i) * control_.allowed()[i];
     }
     return is_near || is_rounding(span, off);
   }
@@ -373,7 +376,7 @@ class TaylorSimulation {
     };
     if (!changes_by_rounding(x, rates, rates_at, changes)) return false;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      if (!(span * (off[i] - changes[i]) <= most_off() * control_.allowed()[i])) return false;
+      if (!(span * (off[i] - changes[i]) <= most_off(off[i], i) * control_.allowed()[i])) return false;
     }
     return true;
   }
@@ -400,10 +403,14 @@ class TaylorSimulation {
   }
 
   /// In parts of what is allowed. Errors of rates are those of the step, times its order and more where forces are stiff, but no large part of the rates. What a series did not see is far beyond; where none of its
-  /// terms say how far it holds, rates alone do.
-  Scalar most_off() const {
-    constexpr Scalar k_stiff = Scalar(10'000), k_of_rates = Scalar(0.1);
-    return control_.is_told() ? std::min(k_stiff, Scalar(k_of_rates / settings_.tolerance)) : Scalar(1);
+  /// terms say how far it holds, rates alone do. So they do after a refusal, until steps are as long again: half of a step has a far smaller error, unless there is a jump, and then the step that ends behind it has to be the
+  /// shorter. Rates that are off by a small part have lost digits: no step is so short that they would agree.
+  Scalar most_off(const Scalar& off, std::size_t component) const {
+    constexpr Scalar k_stiff = Scalar(10'000), k_stiff_at_jumps = Scalar(100), k_jump = Scalar(0.001),
+                     k_of_rates = Scalar(0.1);
+    const bool is_jump = off > k_jump * largest_rates_[component];
+    if (!control_.is_told() || (is_jump && refused_ > Scalar(0))) return 1;
+    return std::min(is_jump ? k_stiff_at_jumps : k_stiff, Scalar(k_of_rates / settings_.tolerance));
   }
 
   Model model_;
@@ -417,6 +424,8 @@ class TaylorSimulation {
   State last_;                      ///< at its end
   std::array<Series, 2> series_{};  ///< of the step, and of the next one
   std::size_t now_ = 0;
+  Array largest_rates_{};  ///< of steps at their beginning
+  Scalar refused_ = 0;     ///< the longest step that was, until one is as long again
   bool has_series_ = false, jumped_ = false;
   Report<Status, Scalar> report_;
 };

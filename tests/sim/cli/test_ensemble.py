@@ -205,6 +205,27 @@ forces: {{f: {{generalized: {{x: F - k*x^{n}}}}}}}
                         self.assertLess(abs(v * v / 2 - force * x + x ** (n + 1) / (n + 1)), most * force)
                         self.assertTrue(-1e-3 < x < 1.001 * ((n + 1) * force) ** (1 / n))
 
+    def test_a_force_that_jumps_without_a_word_is_passed_within_the_tolerance(self):
+        """A mass on a line passes the end of its spring, which is sqrt(x^2) long: E = v^2/2 + k (|x| - L)^2/2 stays what it was."""
+        model = """gauss: 1
+name: passes
+parameters: {m: {value: 1, unit: kg}, k: {value: 40, unit: N/m}, L: {value: 0.5, unit: m}}
+coordinates: {x: {unit: m, initial: 0.7}}
+points: {anchor: {on: space, at: [0, 0, 0]}}
+particles: {p: {mass: m, position: [x, 0, 0]}}
+forces: {spring: {spring: [anchor, p], stiffness: k, length: L}}
+"""
+        scene = "gauss: 1\nscene: many\nmodel: passes.yaml\nduration: 4\nensemble:\n  initial:\n    x_dot: {sweep: {from: -12, to: -4, count: 9}}\n"
+        for lanes in ("1", "auto"):
+            self.write("passes.yaml", model)
+            self.write("many.yaml", scene)
+            self.ok("ensemble", "many.yaml", "-q", "--lanes", lanes, "--method", "taylor", "--outputs", "state", "-o", f"{lanes}.csv")
+            self.assertEqual(self.summary(f"{lanes}.json").get("left_lanes", 0), 0)
+            for speed, row in zip(range(-12, -3), self.rows(f"{lanes}.csv")):
+                x, v = self.numbers(row)["x [m]"], self.numbers(row)["x_dot [m/s]"]
+                energy = speed * speed / 2 + 20 * 0.2**2
+                self.assertLess(abs(v * v / 2 + 20 * (abs(x) - 0.5) ** 2 - energy), 3e-7 * energy)
+
     def test_speeds_that_constraints_hold_at_0_keep_no_lane_back(self):
         """What rounding leaves of them is no size that a tolerance could be a part of."""
         self.write("car.yaml", CAR)

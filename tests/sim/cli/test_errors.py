@@ -49,6 +49,16 @@ forces: {pull: {potential: k*x^2/2}}
 """
 
 
+# Of its own each, with the same unit.
+TWO = """gauss: 1
+name: {name}
+parameters: {{m: {{value: 1, unit: kg}}, k: {{value: 1, unit: N/m}}}}
+coordinates: {{y: {{unit: m, initial: {y}}}, z: {{unit: m, initial: {z}}}}}
+particles: {{p: {{mass: m, position: [0, y, z]}}}}
+forces: {{f: {{generalized: {{y: "-5^2*k*y", z: "-k*z"}}}}}}
+"""
+
+
 class Errors(Program):
     def off(self, name):
         """The error of x against the closed form, relative to its range."""
@@ -138,6 +148,19 @@ class Errors(Program):
         said = self.summary("beside.json")["error_estimate"]
         self.assertGreater(said["relative"], off / 2)
         self.assertEqual(said["constant"], ["far_dot", "energy.total"])
+
+    def test_a_run_that_loses_what_is_small_says_so(self):
+        """1 mm beside 1.5e11 m, and 1e-13 m alone: sizes in a unit excuse nothing."""
+        self.write("far.yaml", TWO.format(name="far", y="1e-3", z="1.5e11"))
+        self.write("tiny.yaml", TWO.format(name="tiny", y="1e-13", z="0"))
+        for model, y, options in (("far", 1e-3, ["--outputs", "y,z"]), ("tiny", 1e-13, ["--method", "dopri5", "--tolerance", "1e-2", "--duration", "100"]),
+                                  ("tiny", 1e-13, ["--method", "verlet", "--step", "0.1", "--samples", "101"])):
+            with self.subTest((model, options)):
+                self.ok("run", f"{model}.yaml", *options, "-q")
+                table = self.table(f"{model}.csv")
+                off = max(abs(x / y - math.cos(5 * t)) for t, x in zip(table["t [s]"], table["y [m]"])) / 2
+                self.assertGreater(off, 1e-2)
+                self.assertGreater(self.summary(f"{model}.json")["error_estimate"]["relative"], off / 3)
 
     def test_a_closed_form_that_is_wrong_in_what_is_small_is_refused(self):
         self.write(

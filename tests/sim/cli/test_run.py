@@ -53,6 +53,13 @@ particles: {p: {mass: m, position: [x, y, 0]}}
 forces: {f: {generalized: {x: push(t), y: k*x}}}
 """
 
+# From times that have few digits left.
+LATE = """gauss: 1
+name: late
+coordinates: {y: {initial: 1, initial_rate: 0}}
+particles: {p: {mass: 1, position: [0, y, 0]}}
+forces: {f: {generalized: {y: "-cos(t)"}}}
+"""
 # A spring and a field that takes nearly all of it away.
 CANCEL = """gauss: 1
 name: cancel
@@ -204,6 +211,31 @@ class Writing(Program):
         self.ok("run", "spring.yaml", "--method", "rk4", "--step", "100", "--samples", "11", "-q")
         error = self.summary("spring.json").get("error_estimate")
         self.assertTrue(error is None or error["relative"] > 0.01, error)
+
+    def test_steps_of_one_length_are_as_many_as_fit_however_times_are_rounded(self):
+        self.write("spring.yaml", SPRING)
+        for step, duration, steps in ((0.05, 2000, 40000), (0.1, 10000, 100000)):
+            self.ok("run", "spring.yaml", "--method", "verlet", "--step", step, "--every", step, "--duration", duration, "--outputs", "energy.total", "-q")
+            self.assertEqual(self.summary("spring.json")["steps"], steps)
+
+    def test_steps_that_no_shorter_one_follows_end(self):
+        """A refused step was made as long as before where it nearly led to the next row, for ever."""
+        self.write("late.yaml", LATE)
+        self.write("jump.yaml", LATE.replace('"-cos(t)"', '"piecewise(t < 3.3, 1, t < 3.32, 100, -1)"'))
+        for tolerance in ("1e-5", "1e-7", "1e-9"):
+            for method in ("prince87", "bulirsch_stoer"):
+                result = self.run_it("run", "late.yaml", "--start", "2e9*pi", "--method", method, "--tolerance", tolerance, "-q", timeout=60)
+                self.assertIn(result.returncode, (0, 5))
+        self.ok("run", "jump.yaml", "--method", "dopri5", "-q", timeout=60)
+        self.ok("run", "jump.yaml", "--method", "prince87", "--number", "float", "--tolerance", "1e-5", "-q", timeout=60)
+
+    def test_where_times_are_too_far_apart_for_steps_the_program_says_so(self):
+        self.write("kink.yaml", LATE.replace('"-cos(t)"', '"abs(sin(t))"'))
+        result = self.run_it("run", "kink.yaml", "--start", "1.7e9", "--tolerance", "1e-13", "-q")
+        self.assertEqual(result.returncode, 5)
+        said = result.stderr
+        self.assertIn("in double, times near 1.7e+09 s are 4e-07 s apart", said)
+        self.assertNotIn("abs(...)", said)
 
     def test_why_there_is_no_estimate_is_said(self):
         for options, why in ((["--method", "rk4", "--step", "100", "--samples", "11"], None), (["--method", "rk4", "--step", "1e-7", "--duration", "9", "--engine", "interpreted"], "runs of more than 5 s are not made again")):

@@ -111,10 +111,10 @@ class Files(Program):
         ask = ("advise", "scene.yaml", "--error", "1e-4", "--study", "study.json")
         self.ok(*ask)
         study = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))
-        for reference in (None, {**problem["reference"], "agreement": 1e-5}):
-            study["problems"][0]["reference"] = reference
+        for reference, why in ((None, "the study has no reference: as nobody knows"), ({**problem["reference"], "agreement": 1e-5}, "the reference of the study is good to")):
+            study["problems"][0].update(reference=reference, why="as nobody knows")
             self.write("study.json", json.dumps(study))
-            self.assertIn("the reference of the study is good to", self.refused(6, *ask))
+            self.assertIn(why, self.refused(6, *ask))
 
     def test_what_nobody_can_mean_is_refused(self):
         self.write("spring.yaml", SPRING)
@@ -125,7 +125,9 @@ class Files(Program):
         self.write("spring.yaml", SPRING)
         (self.folder / "study.html").mkdir()
         begin = time.monotonic()
-        self.assertIn("study.html: is a directory", self.refused(3, "study", "spring.yaml", "--budget", "600"))
+        for name in ((), ("-o", "study"), ("-o", "study.html")):
+            said = self.refused(3, "study", "spring.yaml", "--budget", "600", *name)
+            self.assertIn("study.html: is a directory", said)
         self.assertLess(time.monotonic() - begin, 60)
 
     def test_where_the_energy_changes_there_is_no_drift_of_it(self):

@@ -50,6 +50,25 @@ TEST_CASE("an output that ranges over little keeps its own range beside one of i
   CHECK(error.value == Approx(0.05).epsilon(1e-3));
 }
 
+TEST_CASE("an output that two runs begin alike and then lose keeps its own range, however small it is") {
+  // Of unit circles, once around in 6.3 s: rows are 0.1 s apart.
+  const auto motion = [](double size, double beside, double drift, int seed) {
+    return [=](long double t) {
+      const long double noisy = static_cast<long double>(size) * 1e-9L * noise(t, seed);
+      return std::vector<long double>{beside * std::cos(t), size * std::sin(t * (1 + drift * t)) + noisy};
+    };
+  };
+  const std::vector<Column> columns{column("z", "m"), column("y", "m")};
+  const double loose = gausssim::least_range(1e-3);
+  for (const double beside : {0.0, 1.0, 1e7}) {
+    const double size = beside > 0 ? 1 : 1e-13;
+    const Yardstick yardstick(rows_of(motion(size, beside, 0, 1)), rows_of(motion(size, beside, 0.1, 2)), columns,
+                              loose, k_rounding);
+    CHECK(yardstick.scale(1) == Approx(2 * size).epsilon(1e-3));
+    CHECK(yardstick.error_of(rows_of(motion(size, beside, 0.1, 2))).value > 0.5);
+  }
+}
+
 TEST_CASE("a wiggle on a large value keeps its own range as long as it is told apart from noise") {
   const auto motion = [](long double wiggle, int seed) {
     return
