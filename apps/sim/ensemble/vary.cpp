@@ -39,8 +39,9 @@ class Varying {
     const auto symbol = model_.symbols.find(one.name);
     if (symbol != model_.symbols.end() && symbol->second.kind == kind) return true;
     const char* const what = kind == SymbolKind::input ? "input" : "parameter";
-    values_.error(one.span, fmt::format("'{}' is no {} of the model", one.name, what),
-                  gaussgen::support::did_you_mean(one.name, names_of(model_, kind)));
+    const std::string hint = symbol != model_.symbols.end() ? place_of(model_, one.name, symbol->second)
+                                                            : near_or_all(one.name, names_of(model_, kind));
+    values_.error(one.span, fmt::format("'{}' is no {} of the model", one.name, what), hint);
     return false;
   }
 

@@ -60,6 +60,26 @@ std::string choice_of(const std::vector<std::string>& names) {
 
 }  // namespace
 
+std::string place_of(const model::Model& in, const std::string& name, const model::SymbolRef& symbol) {
+  switch (symbol.kind) {
+    case SymbolKind::parameter: return "it belongs under 'parameters'";
+    case SymbolKind::input: return "it belongs under 'inputs'";
+    case SymbolKind::coordinate:
+      if (in.coordinates[symbol.index].held_at)
+        return fmt::format("its motion is the formula under 'held_at' of '{}': vary what that is made of", name);
+      return "its start belongs under 'initial'";
+    case SymbolKind::quaternion_component:
+    case SymbolKind::angular_velocity:
+    case SymbolKind::speed: return "its start belongs under 'initial'";
+    default: return "";
+  }
+}
+
+std::string near_or_all(const std::string& name, const std::vector<std::string>& names) {
+  const std::string near = gaussgen::support::did_you_mean(name, names);
+  return near.empty() ? choice_of(names) : near;
+}
+
 void ModelValues::error(gaussgen::support::Span span, const std::string& message, const std::string& hint) {
   diagnostics_.error(code::k_wrong_reference, span, message, hint);
 }
@@ -101,7 +121,8 @@ void give_values(const Scene& scene, model::Model& to, gaussgen::support::Diagno
     const auto symbol = to.symbols.find(given.name);
     const bool is_known = symbol != to.symbols.end();
     if (is_known && symbol->second.kind != kind)
-      return values.error(given.span, fmt::format("'{}' is no {} of the model", given.name, what));
+      return values.error(given.span, fmt::format("'{}' is no {} of the model", given.name, what),
+                          place_of(to, given.name, symbol->second));
     values.give(given, is_known ? hint : choice_of(names_of(to, kind)));
   };
   for (const Given& given : scene.parameters) give(given, SymbolKind::parameter, "parameter", "");

@@ -11,6 +11,13 @@ namespace gausssim {
 /// Of one kind, as the model calls them.
 std::vector<std::string> names_of(const gaussgen::model::Model& in, gaussgen::model::SymbolKind kind);
 
+/// A hint: where a scene gives a value to what is no parameter, or no input.
+std::string place_of(const gaussgen::model::Model& in, const std::string& name,
+                     const gaussgen::model::SymbolRef& symbol);
+
+/// A hint: the name that was meant, or all of them where they are few.
+std::string near_or_all(const std::string& name, const std::vector<std::string>& names);
+
 /// Gives a model other values; what is wrong with them is reported at its place in the scene. What is wrong leaves the model as it is.
 class ModelValues {
  public:

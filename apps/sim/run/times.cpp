@@ -61,8 +61,8 @@ class TimesReader {
     const double count = std::floor(span.duration / every * (1 + 1e-12));
     constexpr double k_most = 1e8;
     if (!(count >= 1 && count < k_most)) {
-      refuse(*scene_.every, "every",
-             fmt::format("this makes {} samples; there may be from 2 to {}", count + 1, k_most));
+      refuse(*scene_.every, "every", fmt::format("this makes {} samples; there may be from 2 to {}", count + 1, k_most),
+             "it is the time from a row to the next one, and no longer than the duration");
       return false;
     }
     span.samples = static_cast<long>(count) + 1;
@@ -81,7 +81,8 @@ class TimesReader {
     const auto found = model::value_of(*ast, values_);
     if (found && std::isfinite(*found) && (!is_positive || *found > 0)) return found;
     refuse(*ast, key, fmt::format("'{}' must be a number{}", key, is_positive ? " above 0" : ""),
-           found ? "" : "it may be made of numbers, pi and parameters of the model");
+           found && is_positive ? fmt::format("such as {}: 10", key)
+                                : "it may be made of numbers, pi and parameters of the model");
     return std::nullopt;
   }
 

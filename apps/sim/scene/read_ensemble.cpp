@@ -60,7 +60,7 @@ class EnsembleReader {
                           [&](const spec::Entry& entry) { read_varied(section, entry); });
     }
     if (const spec::Node* const seed = spec::find(node_, "seed")) {
-      if (const auto value = numbers_.whole(*seed, seed->span, 0, k_largest_seed))
+      if (const auto value = numbers_.whole(*seed, seed->span, 0, k_largest_seed, 1))
         result_.seed = static_cast<std::uint64_t>(*value);
     }
     read_record();
@@ -86,7 +86,7 @@ class EnsembleReader {
   void read_count() {
     const spec::Node* const count = spec::find(node_, "trajectories");
     if (count != nullptr) {
-      const auto value = numbers_.whole(*count, count->span, 1, k_most_trajectories);
+      const auto value = numbers_.whole(*count, count->span, 1, k_most_trajectories, 1000);
       if (!value) return;
       result_.trajectories = *value;
     }
@@ -111,7 +111,8 @@ class EnsembleReader {
     const double all = points_of(result_) * static_cast<double>(result_.trajectories);
     if (all <= static_cast<double>(k_most_trajectories)) return;
     error(code::k_out_of_range, span,
-          fmt::format("these are {:.6g} trajectories; there may be {}", all, k_most_trajectories));
+          fmt::format("these are {:.6g} trajectories; there may be {}", all, k_most_trajectories),
+          "take fewer points of sweeps, or fewer draws");
   }
 
   void read_varied(Section section, const spec::Entry& entry) {
@@ -165,13 +166,14 @@ class EnsembleReader {
     const auto ends = two(how, "it is a list of two numbers, the smaller one first");
     if (!ends) return {};
     const auto [a, b] = *ends;
+    const bool is_logarithmic = kind == Distribution::Kind::log_uniform;
     const auto refuse = [&](const spec::Node& at, const char* why) {
-      error(code::k_out_of_range, at.span, why);
+      error(code::k_out_of_range, at.span, why,
+            is_logarithmic ? "such as log_uniform: [0.1, 10]" : "such as uniform: [1, 2]");
       return Distribution{};
     };
     if (!(a < b)) return refuse(how.value, "the first number must be below the second one");
-    if (kind == Distribution::Kind::log_uniform && a <= 0)
-      return refuse(how.value.items[0], "only numbers above 0 have a logarithm");
+    if (is_logarithmic && a <= 0) return refuse(how.value.items[0], "only numbers above 0 have a logarithm");
     if (!std::isfinite(b - a)) return refuse(how.value, "these are too far from each other");
     return {kind, a, b, {}};
   }
@@ -179,7 +181,9 @@ class EnsembleReader {
   Distribution normal(const spec::Entry& how) {
     const auto both = two(how, "it is a list of two numbers, the mean and the standard deviation");
     if (!both) return {};
-    if (!(both->second > 0)) error(code::k_out_of_range, how.value.items[1].span, "a standard deviation is above 0");
+    if (!(both->second > 0))
+      error(code::k_out_of_range, how.value.items[1].span, "a standard deviation is above 0",
+            "such as normal: [1, 0.1]");
     return {Distribution::Kind::normal, both->first, both->second, {}};
   }
 
@@ -190,7 +194,7 @@ class EnsembleReader {
     const auto from = end_of_sweep(how, "from"), to = end_of_sweep(how, "to");
     const spec::Node* const node = model::required(map, "count", how.key.span, "the sweep", reading_);
     std::optional<long> count;
-    if (node != nullptr) count = numbers_.whole(*node, node->span, 2, k_most_trajectories);
+    if (node != nullptr) count = numbers_.whole(*node, node->span, 2, k_most_trajectories, 11);
     const std::string spacing = model::text_field(map, "spacing", reading_);
     const bool is_logarithmic = spacing == "logarithmic";
     if (!spacing.empty() && spacing != "linear" && !is_logarithmic)
@@ -198,10 +202,12 @@ class EnsembleReader {
             "it is 'linear' or 'logarithmic'");
     if (!from || !to || !count) return {};
     if (is_logarithmic && !(*from > 0 && *to > 0)) {
-      error(code::k_out_of_range, map.span, "only numbers above 0 have a logarithm");
+      error(code::k_out_of_range, map.span, "only numbers above 0 have a logarithm",
+            "such as sweep: {from: 0.1, to: 10, count: 11, spacing: logarithmic}");
     } else if (*from == *to || !std::isfinite(*to - *from)) {
       error(code::k_out_of_range, map.span,
-            *from == *to ? "a sweep has two different ends" : "these are too far from each other");
+            *from == *to ? "a sweep has two different ends" : "these are too far from each other",
+            "such as sweep: {from: 1, to: 2, count: 11}");
     } else {
       return spread(*from, *to, *count, is_logarithmic);
     }

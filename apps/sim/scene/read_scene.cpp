@@ -106,7 +106,7 @@ class SceneReader {
 
   void read_counts() {
     model::read_section(root_, "counts", reading_, [&](const spec::Entry& entry) {
-      if (const auto number = numbers_.whole(entry.value, entry.key.span, 1, 1'000'000))
+      if (const auto number = numbers_.whole(entry.value, entry.key.span, 1, 1'000'000, 10))
         scene_.counts.push_back({{entry.key.text, entry.key.span}, *number});
     });
   }
@@ -142,7 +142,7 @@ class SceneReader {
     scene_.error = positive("error");
     if (scene_.error && *scene_.error >= 1)
       error(code::k_out_of_range, scene_.places["error"],
-            "an error of 1 is the whole range of an output: it is below 1");
+            "an error of 1 is the whole range of an output: it is below 1", "such as error: 1e-6");
   }
 
   std::optional<double> positive(const std::string& key) {
@@ -153,7 +153,7 @@ class SceneReader {
   void read_samples() {
     const spec::Node* const node = spec::find(root_, "samples");
     if (node == nullptr) return;
-    if (const auto number = numbers_.whole(*node, node->span, 2, k_most_samples)) scene_.samples = *number;
+    if (const auto number = numbers_.whole(*node, node->span, 2, k_most_samples, 501)) scene_.samples = *number;
   }
 
   void read_outputs() {

@@ -67,6 +67,7 @@ class GaussLegendre {
     for (std::size_t i = 0; i < size_.size(); ++i) size_[i] = std::max(size_[i], std::abs(state.values[i]));
     iterations_of_last_step_ = 0;
     StepResult result = start(model, t, h, state);
+    if (!result.is_taken()) return result;
     Scalar last = std::numeric_limits<Scalar>::max();
     for (int iteration = 0; iteration < k_most_iterations && result.is_taken(); ++iteration) {
       result = result_of(evaluate(model, t, h, state));
@@ -79,7 +80,8 @@ class GaussLegendre {
       if (!(change <= std::numeric_limits<Scalar>::max())) break;
       last = change;
     }
-    return result.is_taken() ? StepResult{StepOutcome::not_converged, result.status} : result;
+    // Also where the model has no rates at a guess: what is wrong with it there is no trouble of the motion.
+    return {StepOutcome::not_converged, result.status};
   }
 
   /// Component i of the state is an angle on which the model depends by its sine and cosine alone: it is kept within a turn, with all the digits
