@@ -125,9 +125,8 @@ int say_why_it_stops(const FinishedRun& finished, bool has_new_rows, const cli::
   std::string hint;
   if (run.outcome == Outcome::step_too_small && time_rounding(finished) > k_coarse * between_rows(finished))
     hint = fmt::format(
-        "in {}, times near {:.3g} s are {:.1g} s apart, which is too much for such short steps: begin nearer to 0, or "
-        "take a "
-        "looser tolerance or a wider number type",
+        "in {}, times near {:.3g} s are {:.1g} s apart, which is too much for such short steps: begin nearer to 0, "
+        "or take a looser tolerance or a wider number type",
         finished.setting.number, run.reached, time_rounding(finished));
   else if (is_by_steps && !prepared.edge.empty())
     hint = hint_for_edge(prepared.edge);

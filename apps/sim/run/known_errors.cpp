@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/run/interruption.hpp"
+#include "sim/run/lost_digits.hpp"
 #include "sim/run/setting.hpp"
 
 namespace gausssim {
@@ -49,13 +50,33 @@ Estimate estimate_by(const Yardstick& yardstick, const Rows& rows, const Prepare
   return {larger(yardstick.error_of(rows), of_times(yardstick, prepared, setting)), yardstick.constants()};
 }
 
+namespace {
+
+/// Where tighter runs say nothing, as they may take far longer to lose the same digits: by a run in a type that does not lose them.
+std::optional<Estimate> estimated_in_wider(const PreparedModel& prepared, Engines& engines, const Setting& setting,
+                                           const Simulated& run, const Rows& rows, RoundingCheck& rounding) {
+  const DeliveredError lost = rounding.lost_in(rows);
+  if (lost.value == 0 || Interruption::is_asked_for()) return std::nullopt;
+  const Yardstick own = of_themselves(rows, prepared, setting);
+  const RoundingError told = rounding.error_of(run, rows, own, lost.value, engines, most_seconds_beside(run));
+  if (!told.is_told_in_wider) return std::nullopt;
+  return Estimate{told, own.constants(), std::nullopt, told};
+}
+
+}  // namespace
+
 std::optional<Estimate> estimated(const PreparedModel& prepared, const Engine& engine, Engines& engines,
                                   const Setting& setting, const Simulated& run, const Rows& rows,
                                   RoundingCheck* rounding, WhyNone& why) {
   why = {why_not_estimated(run)};
   if (!why.text.empty()) return std::nullopt;
   const auto tight = tighter_runs(prepared, engine, engines, setting, run, rows, why);
-  if (!tight) return std::nullopt;
+  if (!tight) {
+    auto by_wider =
+        rounding == nullptr ? std::nullopt : estimated_in_wider(prepared, engines, setting, run, rows, *rounding);
+    if (by_wider) why = {};
+    return by_wider;
+  }
   DeliveredError largest = larger(tight->error, of_times(tight->yardstick, prepared, setting));
   if (tight->agreement) largest = larger(largest, *tight->agreement);
   const double by_tighter_runs = largest.value;

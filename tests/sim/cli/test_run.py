@@ -229,6 +229,16 @@ class Writing(Program):
         self.ok("run", "jump.yaml", "--method", "dopri5", "-q", timeout=60)
         self.ok("run", "jump.yaml", "--method", "prince87", "--number", "float", "--tolerance", "1e-5", "-q", timeout=60)
 
+    def test_a_first_guess_that_breaks_constraints_is_no_trouble_of_the_motion(self):
+        said = self.run_it("run", MODELS / "lagrange_top.yaml", "--method", "gauss_legendre4", "--step", "0.003", "--duration", "3", "--samples", "31", "-q").stderr
+        self.assertIn("the equations of the implicit method were not solved: the step is too long", said)
+
+    def test_what_is_a_function_of_time_may_act_for_a_short_one(self):
+        self.write("late.yaml", LATE)
+        self.assertRegex(self.ok("run", "late.yaml"), r"(?m)^  error   .*; of what acts for 0\.00991 s or longer$")
+        self.write("spring.yaml", SPRING)
+        self.assertNotIn("of what acts for", self.ok("run", "spring.yaml"))
+
     def test_where_times_are_too_far_apart_for_steps_the_program_says_so(self):
         self.write("kink.yaml", LATE.replace('"-cos(t)"', '"abs(sin(t))"'))
         result = self.run_it("run", "kink.yaml", "--start", "1.7e9", "--tolerance", "1e-13", "-q")
