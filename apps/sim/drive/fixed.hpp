@@ -37,7 +37,7 @@ class Fixed final : public Integrator<S> {
     using std::ceil;
     const S way = end - t_;
     if (!(way > S(0)) || !is_running()) return is_running() && way == S(0);
-    const S wanted = ceil((way - rounding_of(end)) / step_ * S(1 - k_rounding));
+    const S wanted = ceil((way - std::min(rounding_of(end), S(step_ / 8))) / step_ * S(1 - k_rounding));
     // No run takes so many, and no integer counts them all.
     if (!(wanted < S(k_most_steps))) return progress_.outcome = Outcome::too_many_steps, false;
     const auto count = static_cast<long>(std::max(wanted, S(1)));

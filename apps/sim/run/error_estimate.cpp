@@ -43,17 +43,18 @@ long double doubt_of(const Rows& rows, const Rows& other, std::size_t column) {
 }
 
 /// Whether two runs share how an output begins to move: until it has moved by a quarter of its range, they differ by less than one of `times` parts of that. Runs that lose each other later do, and noise does not: eight
-/// samples of it are not alike by chance.
+/// samples of it are not alike by chance, and four hardly.
 bool begin_alike(const Rows& rows, const Rows& other, std::size_t column, long double range, long double times) {
-  constexpr long k_alike = 8;
+  constexpr long k_alike = 8, k_least = 4;
   const long samples = std::min(rows.samples(), other.samples());
+  const long alike = std::clamp(samples / 2, k_least, k_alike);
   long double least = std::numeric_limits<long double>::infinity(), most = -least, apart = 0;
   for (long k = 0; k < samples; ++k) {
     const long double value = rows.at(k, column);
     least = std::min(least, value);
     most = std::max(most, value);
     apart = std::max(apart, std::abs(value - other.at(k, column)));
-    if (k >= k_alike && most - least >= range / 4) return most - least > times * apart;
+    if (k >= alike && most - least >= range / 4) return most - least > times * apart;
   }
   return false;
 }

@@ -52,9 +52,7 @@ std::string beside_tighter_runs(const Estimate& error, const std::string& number
   const RoundingError& rounding = error.rounding;
   if (rounding.is_told_in_wider)
     return fmt::format(
-        "a run in {} differs by {:.2g} of the range of '{}': in {}, formulas and equations lose too many digits for "
-        "this "
-        "motion;",
+        "a run in {} differs by {:.2g} of the range of '{}': in {}, formulas and equations lose too many digits, and",
         rounding.wider, error.value, error.output, number);
   return fmt::format(
       "a run from values that are rounded otherwise differs by {:.2g} of the range of '{}': one of the two is not "
@@ -103,19 +101,6 @@ void warn_of_closed_forms(const KnownErrors& errors, double asked, const cli::Me
             messages);
 }
 
-/// From a time to the next one that there is.
-double time_rounding(const FinishedRun& finished) {
-  return rounding_unit(finished.setting.number) * std::abs(finished.run.reached);
-}
-
-/// Of the time between rows: steps that have to be shorter than few roundings of times, where this is one of them, are so because of it.
-constexpr double k_coarse = 1e-7;
-
-double between_rows(const FinishedRun& finished) {
-  const Span& span = finished.prepared.span;
-  return span.duration / static_cast<double>(span.samples - 1);
-}
-
 /// With the exit code of motions that end before their time.
 int say_why_it_stops(const FinishedRun& finished, bool has_new_rows, const cli::MessageOptions& messages) {
   const Simulated& run = finished.run;
@@ -123,11 +108,11 @@ int say_why_it_stops(const FinishedRun& finished, bool has_new_rows, const cli::
   const std::string why = run.why.empty() ? gauss::simulate::name(run.outcome) : run.why;
   const bool is_by_steps = run.outcome == Outcome::too_many_steps || run.outcome == Outcome::step_too_small;
   std::string hint;
-  if (run.outcome == Outcome::step_too_small && time_rounding(finished) > k_coarse * between_rows(finished))
+  if (run.outcome == Outcome::step_too_small && are_times_coarse(finished.setting.number, run.reached, prepared.span))
     hint = fmt::format(
         "in {}, times near {:.3g} s are {:.1g} s apart, which is too much for such short steps: begin nearer to 0, "
         "or take a looser tolerance or a wider number type",
-        finished.setting.number, run.reached, time_rounding(finished));
+        finished.setting.number, run.reached, rounding_unit(finished.setting.number) * std::abs(run.reached));
   else if (is_by_steps && !prepared.edge.empty())
     hint = hint_for_edge(prepared.edge);
   else if (run.outcome == Outcome::too_many_steps && finished.csv != "-" && has_new_rows)

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "model/constant.hpp"
 #include "model/expressions.hpp"
 
 namespace gausssim {
@@ -30,11 +31,20 @@ class Edges {
   void note(const model::Ast& ast) {
     static const std::map<std::string, int> k_hardness{
         {"sign", 0}, {"piecewise", 1}, {"abs", 2}, {"min", 2}, {"max", 2}};
-    if (ast.table != nullptr) {
+    if (ast.name == "sqrt" && is_square(ast.children.front())) {
+      found_.insert({2, ast.name});
+    } else if (ast.table != nullptr) {
       if (ast.table->degree() <= 1) found_.insert({3, ast.name});
     } else if (const auto one = k_hardness.find(ast.name); one != k_hardness.end()) {
       found_.insert({one->second, ast.name});
     }
+  }
+
+  /// Its root is what is squared, or that with another sign: x/sqrt(x^2) jumps, and series of it know of one side alone.
+  static bool is_square(const model::Ast& ast) {
+    if (ast.kind != model::AstKind::power) return false;
+    const auto exponent = model::exact_value(ast.children.back());
+    return exponent && gaussgen::support::is_integer(*exponent / 2);
   }
 
   bool changes(const model::Ast& ast) const {
@@ -85,7 +95,9 @@ bool acts_in_time(const model::Model& of) {
   return result;
 }
 
-bool is_jump(const std::string& function) { return function == "sign" || function == "piecewise"; }
+bool is_jump(const std::string& function) {
+  return function == "sign" || function == "piecewise" || function == "sqrt";
+}
 
 std::string hint_for_edge(const std::string& function) {
   return fmt::format(

@@ -37,7 +37,8 @@ LongestSteps longest_steps(const PreparedModel& prepared, double lengthened) {
 
 std::string default_method(const PreparedModel& prepared, const Engine& engine, const std::string& number) {
   const bool has_series = static_cast<bool>(engine.find("series_begin", scalar_of(number)));
-  if (find_function(prepared.model.tree, "taylor") != nullptr && has_series) return "taylor";
+  // A root of a square has series, on one side.
+  if (find_function(prepared.model.tree, "taylor") != nullptr && has_series && prepared.edge.empty()) return "taylor";
   if (number != "float128") return k_method_of_any_model;
   return prepared.edge.empty() ? k_relative : k_method_of_edges;
 }
@@ -112,6 +113,12 @@ double rounding_unit(const std::string& number) {
   if (number == "float") return std::numeric_limits<float>::epsilon();
   if (number == "double") return std::numeric_limits<double>::epsilon();
   return number == "long-double" ? static_cast<double>(std::numeric_limits<long double>::epsilon()) : 1.93e-34;
+}
+
+bool are_times_coarse(const std::string& number, double t, const Span& span) {
+  constexpr double k_short = 1e-7;
+  const double between_rows = span.duration / static_cast<double>(span.samples - 1);
+  return rounding_unit(number) * std::abs(t) > k_short * between_rows;
 }
 
 double least_tolerance(const std::string& number) {

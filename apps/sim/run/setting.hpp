@@ -51,4 +51,7 @@ double least_tolerance(const std::string& number);
 /// From 1 to the next larger number.
 double rounding_unit(const std::string& number);
 
+/// Whether times near `t` are so far apart that steps which are short beside the time between rows are no more than a few of these.
+bool are_times_coarse(const std::string& number, double t, const Span& span);
+
 }  // namespace gausssim

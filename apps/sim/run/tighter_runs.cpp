@@ -27,15 +27,11 @@ class Tightening {
  public:
   Tightening(const PreparedModel& prepared, const Engine& engine, Engines& engines, const Setting& setting,
              const Simulated& run, const Rows& rows)
-      : prepared_(prepared),
-        engine_(&engine),
-        setting_(setting),
-        run_(run),
-        rows_(rows),
-        rounding_(rounding_unit(setting.number)) {
+      : prepared_(prepared), engine_(&engine), setting_(setting), run_(run), rows_(rows) {
     // Runs in float do not see what they share: the rounding of values and times.
     const Engine* const wide = setting.number == "float" ? engines.of("double") : nullptr;
     if (wide != nullptr) setting_.number = "double", engine_ = wide;
+    rounding_ = rounding_unit(setting_.number);
     begin();
   }
 
@@ -115,6 +111,8 @@ class Tightening {
     if (Interruption::is_asked_for()) return {"interrupted while a tighter run was made"};
     if (tight.steps == run_.steps && tight.calls == run_.calls) return {"a tighter run takes the same steps"};
     if (gets_as_far(tight, run_)) return {};
+    if (tight.outcome == Outcome::step_too_small && are_times_coarse(setting_.number, tight.reached, prepared_.span))
+      return {fmt::format("times near {:.3g} s are too far apart for the steps of a tighter run", tight.reached)};
     if (tight.outcome == Outcome::interrupted)
       return {fmt::format("a tighter run takes {} times as long and more", k_longer)};
     return {fmt::format("a tighter run stops at t = {:.6g}: {}", tight.reached, gauss::simulate::name(tight.outcome)),
@@ -130,7 +128,7 @@ class Tightening {
   Setting setting_;
   const Simulated& run_;
   const Rows& rows_;
-  double rounding_;      ///< of the rows
+  double rounding_ = 0;  ///< of the rows
   double shortest_ = 0;  ///< step
   double least_range_ =
       0;  ///< as the first of them has it: what rounding makes of a constant is not less for tighter ones

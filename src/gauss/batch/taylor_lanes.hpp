@@ -62,11 +62,13 @@ class TaylorLanes {
       state_.values[i] = xsimd::select(where, start.values[i], state_.values[i]);
       sizes_[i] = xsimd::select(where, none, sizes_[i]);
       largest_rates_[i] = xsimd::select(where, none, largest_rates_[i]);
+      noise_[i] = xsimd::select(where, none, noise_[i]);
     }
     t_ = xsimd::select(where, start_time, t_);
     span_ = xsimd::select(where, none, span_);
     reach_ = xsimd::select(where, none, reach_);
     refused_ = xsimd::select(where, none, refused_);
+    refusals_ = xsimd::select(where, none, refusals_);
     taken_ = xsimd::select(where, none, taken_);
     most_ = xsimd::select(where, Batch(std::numeric_limits<Number>::infinity()), most_);
     lost_ = lost_ && !where;
@@ -112,7 +114,7 @@ class TaylorLanes {
 
   void step(const Batch& goal) {
     const Status status = model_.series(t_, state_, order_, series_);
-    const Mask is_refused = must_go_back(status);
+    const Mask is_refused = must_go_back(status, goal);
     const Mask is_lost = stops(status) && !is_refused && !lost_;
     status_ = Math<Batch>::worse(status_, status.within(is_lost));
     lost_ = lost_ || is_lost;
@@ -129,12 +131,14 @@ class TaylorLanes {
     t_before_ = t_;
     State there;
     integrate::state_of_series(series_, span, there);
+    const Mask is_new = moves && !(refusals_ > Batch(Number(0)));
     Batch rates[Model::size];
     integrate::rate_of_series(series_, span, rates);
     for (std::size_t i = 0; i < Model::size; ++i) {
       expected_[i] = rates[i];
-      const Batch largest = xsimd::max(largest_rates_[i], size_of(series_.values[1][i]));
-      largest_rates_[i] = xsimd::select(moves, largest, largest_rates_[i]);
+      const Batch largest = xsimd::max(Number(k_recent) * largest_rates_[i], size_of(series_.values[1][i]));
+      largest_rates_[i] = xsimd::select(is_new, largest, largest_rates_[i]);
+      noise_[i] = xsimd::select(is_new, Number(k_recent) * noise_[i], noise_[i]);
       state_.values[i] = xsimd::select(moves, there.values[i], state_.values[i]);
     }
     t_ = xsimd::select(moves, xsimd::select(arrives, goal, t_ + span), t_);
@@ -146,23 +150,37 @@ class TaylorLanes {
   }
 
   /// Lanes whose last step ended where the model has other rates than its series, or none.
-  Mask must_go_back(const Status& status) const {
+  Mask must_go_back(const Status& status, const Batch& goal) {
     const Mask has_moved = (span_ > Batch(Number(0))) && !lost_;
+    note_noise(has_moved);
     Values rounding = zeros();
-    Mask agrees = agrees_but_for(rounding);
-    if (xsimd::any(has_moved && !agrees && !stops(status)) && find_rounding(rounding)) agrees = agrees_but_for(rounding);
+    Mask agrees = agrees_but_for(rounding, goal);
+    if (xsimd::any(has_moved && !agrees && !stops(status)) && find_rounding(rounding))
+      agrees = agrees_but_for(rounding, goal);
     return has_moved && (!agrees || stops(status));
   }
 
-  Mask agrees_but_for(const Values& rounding) const {
+  Batch off(std::size_t i) const { return size_of(expected_[i] - series_.values[1][i]); }
+
+  void note_noise(const Mask& has_moved) {
+    const Mask is_noise = has_moved && refusals_ >= Batch(Number(k_noise));
+    if (xsimd::none(is_noise)) return;
+    for (std::size_t i = 0; i < Model::size; ++i)
+      noise_[i] = xsimd::select(is_noise, xsimd::max(noise_[i], off(i)), noise_[i]);
+  }
+
+  Mask agrees_but_for(const Values& rounding, const Batch& goal) const {
     const Mask is_strict = refused_ > Batch(Number(0));
+    const Mask is_short = !(span_ > Number(k_least) * least_span(goal));
+    const Batch at_jumps = xsimd::select(is_short, Batch(std::numeric_limits<Number>::infinity()), Batch(Number(1)));
     Mask agrees = Mask(true);
     for (std::size_t i = 0; i < Model::size; ++i) {
-      const Batch off = size_of(expected_[i] - series_.values[1][i]);
-      const Mask is_jump = off > Number(k_jump) * largest_rates_[i];
+      const Batch apart = off(i);
+      const Mask is_jump = apart > Number(k_jump) * largest_rates_[i] && apart > Number(k_lost) * noise_[i];
       const Batch by_terms = xsimd::select(is_jump, Batch(most_off(k_stiff_at_jumps)), Batch(most_off(k_stiff)));
-      const Batch most = xsimd::select(is_told_ && !(is_jump && is_strict), by_terms, Batch(Number(1)));
-      agrees = agrees && span_ * (off - rounding[i]) <= most * allowed_[i];
+      const Batch if_told = xsimd::select(is_jump && is_strict, at_jumps, by_terms);
+      const Batch most = xsimd::select(is_told_, if_told, Batch(Number(1)));
+      agrees = agrees && span_ * (apart - rounding[i]) <= most * allowed_[i];
     }
     return agrees;
   }
@@ -196,6 +214,8 @@ class TaylorLanes {
     const Batch none(std::numeric_limits<Number>::infinity());
     const Batch refused = xsimd::select(span_ < refused_, refused_, Batch(Number(0)));
     refused_ = xsimd::select(where, xsimd::max(refused_, span_), refused);
+    const Batch others = xsimd::select(span_ > Batch(Number(0)), Batch(Number(0)), refusals_);
+    refusals_ = xsimd::select(where, refusals_ + Batch(Number(1)), others);
     most_ = xsimd::select(where, span_ * Number(0.5), xsimd::select(span_ > Batch(Number(0)), none, most_));
   }
 
@@ -309,6 +329,8 @@ class TaylorLanes {
 
   // As TaylorSimulation has them.
   static constexpr double k_stiff = 10'000, k_stiff_at_jumps = 100, k_jump = 0.001, k_of_rates = 0.1;
+  static constexpr double k_least = 64, k_lost = 4, k_recent = 0.9;
+  static constexpr int k_noise = 10;
   static constexpr double k_usual = 10'000;     ///< as SeriesControl has it
 
   Model model_;
@@ -319,9 +341,10 @@ class TaylorLanes {
   Batch t_, t_before_ = Batch(Number(0)), span_ = Batch(Number(0));
   Batch reach_ = Batch(Number(0));  ///< the last step that went on
   Batch most_ = Batch(std::numeric_limits<Number>::infinity());
-  Batch refused_ = Batch(Number(0));  ///< as TaylorSimulation has it
+  Batch refused_ = Batch(Number(0)), refusals_ = Batch(Number(0));  ///< as TaylorSimulation has them
   Batch taken_ = Batch(Number(0));
-  Values sizes_ = zeros(), allowed_ = zeros(), expected_ = zeros(), largest_rates_ = zeros();
+  Values sizes_ = zeros(), allowed_ = zeros(), expected_ = zeros();
+  Values largest_rates_ = zeros(), noise_ = zeros();
   Mask lost_ = Mask(false);
   Mask is_told_ = Mask(true);  ///< as SeriesControl has it
   Status status_{};

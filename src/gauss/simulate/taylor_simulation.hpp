@@ -291,13 +291,18 @@ class TaylorSimulation {
     now_ = 1 - now_;
     begin_ = begin_ + span_;
     Scalar span = control_.span(series(), longest(end));
-    const Scalar least = 4 * Math<Scalar>::epsilon() * std::max({begin_, -begin_, end - begin_});
-    for (jumped_ = false; span > least && !holds(span); ++report_.rejected) {
+    least_ = 4 * Math<Scalar>::epsilon() * std::max({begin_, -begin_, end - begin_});
+    refusals_ = 0;
+    for (jumped_ = false; span > least_ && !holds(span); ++report_.rejected) {
+      ++refusals_;
       refused_ = std::max(refused_, span);
       span = span / 2;
       control_.shorten(series(), span);
     }
-    if (!(span > least)) {
+    const bool is_short = !(span > least_);
+    if (is_short && refused_ > Scalar(0)) span = hop();
+    hops_ = is_short ? hops_ + 1 : 0;
+    if (!(span > least_)) {
       report_.outcome = jumped_ ? Outcome::constraints_lost : Outcome::step_too_small;
       span_ = 0;
       return;
@@ -307,6 +312,20 @@ class TaylorSimulation {
     ++report_.steps;
     control_.took(span);
     control_.grow(last_);
+  }
+
+  /// Where a jump is so near that terms hold for less than times have digits, or are beyond all numbers: towards it, each time twice as far, and over it, by few terms, which tell all of so short a step.
+  /// 0: not there, or not again and again, as where a motion sticks.
+  Scalar hop() {
+    constexpr int k_most_hops = 24;
+    if (hops_ >= k_most_hops) return 0;
+    series_[now_].order = std::min(series().order, 2);
+    const Scalar shortest = k_least * least_;
+    Scalar span = shortest;
+    for (int k = 0; k < hops_; ++k) span = 2 * span;
+    for (; !(span < shortest); span = span / 2)
+      if (holds(span)) return span;
+    return 0;
   }
 
   Scalar longest(const Scalar& end) const {
@@ -349,13 +368,19 @@ class TaylorSimulation {
 
   /// The rates that the model has at the end are those that the series has there, but for rounding.
   bool agrees(const Scalar& span) {
+    constexpr int k_noise = 10;  ///< refusals in a row: behind a jump, there are not so many
+    constexpr Scalar k_recent = Scalar(0.9);
     Array rates, off;
     integrate::rate_of_series(series(), span, rates);
     bool is_near = true;
     for (std::size_t i = 0; i < Model::size; ++i) {
       off[i] = control_.size_of(rates[i] - next().values[1][i]);
-      largest_rates_[i] = std::max(largest_rates_[i], control_.size_of(series().values[1][i]));
-      is_near = is_near && span * off[i] <= most_off(off[i], i) * control_.allowed()[i];
+      if (refusals_ == 0) {
+        largest_rates_[i] = std::max(k_recent * largest_rates_[i], control_.size_of(series().values[1][i]));
+        noise_[i] = k_recent * noise_[i];
+      }
+      if (refusals_ >= k_noise) noise_[i] = std::max(noise_[i], off[i]);
+      is_near = is_near && span * off[i] <= most_off(span, off[i], i) * control_.allowed()[i];
     }
     return is_near || is_rounding(span, off);
   }
@@ -376,7 +401,7 @@ class TaylorSimulation {
     };
     if (!changes_by_rounding(x, rates, rates_at, changes)) return false;
     for (std::size_t i = 0; i < Model::size; ++i) {
-      if (!(span * (off[i] - changes[i]) <= most_off(off[i], i) * control_.allowed()[i])) return false;
+      if (!(span * (off[i] - changes[i]) <= most_off(span, off[i], i) * control_.allowed()[i])) return false;
     }
     return true;
   }
@@ -404,12 +429,15 @@ class TaylorSimulation {
 
   /// In parts of what is allowed. Errors of rates are those of the step, times its order and more where forces are stiff, but no large part of the rates. What a series did not see is far beyond; where none of its
   /// terms say how far it holds, rates alone do. So they do after a refusal, until steps are as long again: half of a step has a far smaller error, unless there is a jump, and then the step that ends behind it has to be the
-  /// shorter. Rates that are off by a small part have lost digits: no step is so short that they would agree.
-  Scalar most_off(const Scalar& off, std::size_t component) const {
+  /// shorter, as long as times have the digits for that. Rates that are off by a small part have lost digits, as have those that are off however short the step is: none is so short that they would agree.
+  Scalar most_off(const Scalar& span, const Scalar& off, std::size_t component) const {
     constexpr Scalar k_stiff = Scalar(10'000), k_stiff_at_jumps = Scalar(100), k_jump = Scalar(0.001),
                      k_of_rates = Scalar(0.1);
-    const bool is_jump = off > k_jump * largest_rates_[component];
-    if (!control_.is_told() || (is_jump && refused_ > Scalar(0))) return 1;
+    constexpr Scalar k_lost = 4;
+    if (!control_.is_told()) return 1;
+    const bool is_jump = off > k_jump * largest_rates_[component] && off > k_lost * noise_[component];
+    if (is_jump && refused_ > Scalar(0))
+      return span > k_least * least_ ? Scalar(1) : std::numeric_limits<Scalar>::infinity();
     return std::min(is_jump ? k_stiff_at_jumps : k_stiff, Scalar(k_of_rates / settings_.tolerance));
   }
 
@@ -424,8 +452,13 @@ class TaylorSimulation {
   State last_;                      ///< at its end
   std::array<Series, 2> series_{};  ///< of the step, and of the next one
   std::size_t now_ = 0;
-  Array largest_rates_{};  ///< of steps at their beginning
-  Scalar refused_ = 0;     ///< the longest step that was, until one is as long again
+  Array largest_rates_{};             ///< of steps not long ago, at their beginning
+  Array noise_{};                     ///< of rates not long ago: what they were off by, however short a step was
+  Scalar least_ = 0;                  ///< steps are longer
+  int refusals_ = 0;                  ///< of the step
+  int hops_ = 0;                      ///< in a row
+  static constexpr int k_least = 64;  ///< of least_: so short a step is taken over a jump, whatever it is
+  Scalar refused_ = 0;                ///< the longest step that was, until one is as long again
   bool has_series_ = false, jumped_ = false;
   Report<Status, Scalar> report_;
 };

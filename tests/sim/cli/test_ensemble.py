@@ -226,6 +226,25 @@ forces: {spring: {spring: [anchor, p], stiffness: k, length: L}}
                 energy = speed * speed / 2 + 20 * 0.2**2
                 self.assertLess(abs(v * v / 2 + 20 * (abs(x) - 0.5) ** 2 - energy), 3e-7 * energy)
 
+    def test_roots_of_squares_jump(self):
+        """A ball thrown up through a height above which its weight is another one, and back within a step of its series."""
+        self.write("hop.yaml", """gauss: 1
+name: hop
+coordinates: {y: {initial: 0, initial_rate: 5}}
+particles: {p: {mass: 1, position: [0, y, 0]}}
+forces: {f: {generalized: {y: "-9.81 - 5*(y - 2.5)/sqrt((y - 2.5)^2)"}}}
+""")
+        self.write("hops.yaml", "gauss: 1\nscene: hops\nmodel: hop.yaml\nduration: 2.5\noutputs: [y]\nensemble: {initial: {y_dot: {sweep: {from: 4.95, to: 5.1, count: 8}}}}\n")
+        self.ok("ensemble", "hops.yaml", "-q", "-o", "hops.csv")
+        below, above = 9.81 - 5, 9.81 + 5
+        for row in map(self.numbers, self.rows("hops.csv")):
+            speed = row["initial.y_dot"]
+            up = math.sqrt(speed**2 - 2 * below * 2.5)  # at the height, up and down
+            left = 2.5 - (speed - up) / below - 2 * up / above
+            self.assertAlmostEqual(row["y"], 2.5 - up * left - below * left**2 / 2, delta=1e-6)
+        said = self.run_it("run", "hop.yaml", "--method", "taylor", "--duration", "2.5", "-q").stderr
+        self.assertIn("'taylor' may step over a place where a force jumps, as by sqrt, without a word", said)
+
     def test_speeds_that_constraints_hold_at_0_keep_no_lane_back(self):
         """What rounding leaves of them is no size that a tolerance could be a part of."""
         self.write("car.yaml", CAR)
