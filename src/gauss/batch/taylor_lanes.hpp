@@ -114,7 +114,7 @@ class TaylorLanes {
 
   void step(const Batch& goal) {
     const Status status = model_.series(t_, state_, order_, series_);
-    const Mask is_refused = must_go_back(status, goal);
+    const Mask is_refused = must_go_back(status);
     const Mask is_lost = stops(status) && !is_refused && !lost_;
     status_ = Math<Batch>::worse(status_, status.within(is_lost));
     lost_ = lost_ || is_lost;
@@ -150,13 +150,12 @@ class TaylorLanes {
   }
 
   /// Lanes whose last step ended where the model has other rates than its series, or none.
-  Mask must_go_back(const Status& status, const Batch& goal) {
+  Mask must_go_back(const Status& status) {
     const Mask has_moved = (span_ > Batch(Number(0))) && !lost_;
     note_noise(has_moved);
     Values rounding = zeros();
-    Mask agrees = agrees_but_for(rounding, goal);
-    if (xsimd::any(has_moved && !agrees && !stops(status)) && find_rounding(rounding))
-      agrees = agrees_but_for(rounding, goal);
+    Mask agrees = agrees_but_for(rounding);
+    if (xsimd::any(has_moved && !agrees && !stops(status)) && find_rounding(rounding)) agrees = agrees_but_for(rounding);
     return has_moved && (!agrees || stops(status));
   }
 
@@ -169,17 +168,14 @@ class TaylorLanes {
       noise_[i] = xsimd::select(is_noise, xsimd::max(noise_[i], off(i)), noise_[i]);
   }
 
-  Mask agrees_but_for(const Values& rounding, const Batch& goal) const {
+  Mask agrees_but_for(const Values& rounding) const {
     const Mask is_strict = refused_ > Batch(Number(0));
-    const Mask is_short = !(span_ > Number(k_least) * least_span(goal));
-    const Batch at_jumps = xsimd::select(is_short, Batch(std::numeric_limits<Number>::infinity()), Batch(Number(1)));
     Mask agrees = Mask(true);
     for (std::size_t i = 0; i < Model::size; ++i) {
       const Batch apart = off(i);
       const Mask is_jump = apart > Number(k_jump) * largest_rates_[i] && apart > Number(k_lost) * noise_[i];
       const Batch by_terms = xsimd::select(is_jump, Batch(most_off(k_stiff_at_jumps)), Batch(most_off(k_stiff)));
-      const Batch if_told = xsimd::select(is_jump && is_strict, at_jumps, by_terms);
-      const Batch most = xsimd::select(is_told_, if_told, Batch(Number(1)));
+      const Batch most = xsimd::select(is_told_ && !(is_jump && is_strict), by_terms, Batch(Number(1)));
       agrees = agrees && span_ * (apart - rounding[i]) <= most * allowed_[i];
     }
     return agrees;
@@ -329,7 +325,7 @@ class TaylorLanes {
 
   // As TaylorSimulation has them.
   static constexpr double k_stiff = 10'000, k_stiff_at_jumps = 100, k_jump = 0.001, k_of_rates = 0.1;
-  static constexpr double k_least = 64, k_lost = 4, k_recent = 0.9;
+  static constexpr double k_lost = 4, k_recent = 0.9;
   static constexpr int k_noise = 10;
   static constexpr double k_usual = 10'000;     ///< as SeriesControl has it
 

@@ -295,6 +295,7 @@ class TaylorSimulation {
     refusals_ = 0;
     for (jumped_ = false; span > least_ && !holds(span); ++report_.rejected) {
       ++refusals_;
+      if (!(refused_ > Scalar(0))) rates_then_ = largest_rates_;
       refused_ = std::max(refused_, span);
       span = span / 2;
       control_.shorten(series(), span);
@@ -318,7 +319,7 @@ class TaylorSimulation {
   /// 0: not there, or not again and again, as where a motion sticks.
   Scalar hop() {
     constexpr int k_most_hops = 24;
-    if (hops_ >= k_most_hops) return 0;
+    if (hops_ >= k_most_hops || !is_bounded()) return 0;
     series_[now_].order = std::min(series().order, 2);
     const Scalar shortest = k_least * least_;
     Scalar span = shortest;
@@ -326,6 +327,16 @@ class TaylorSimulation {
     for (; !(span < shortest); span = span / 2)
       if (holds(span)) return span;
     return 0;
+  }
+
+  /// Rates are about as large as before the jump came near; where they grow beyond all bounds, as at the end of a fall into a centre, nothing is behind.
+  bool is_bounded() const {
+    constexpr int k_alike = 16;
+    for (std::size_t i = 0; i < Model::size; ++i) {
+      const Scalar now = control_.size_of(series().values[1][i]);
+      if (rates_then_[i] > Scalar(0) && !(now <= k_alike * rates_then_[i])) return false;
+    }
+    return true;
   }
 
   Scalar longest(const Scalar& end) const {
@@ -437,7 +448,7 @@ class TaylorSimulation {
     if (!control_.is_told()) return 1;
     const bool is_jump = off > k_jump * largest_rates_[component] && off > k_lost * noise_[component];
     if (is_jump && refused_ > Scalar(0))
-      return span > k_least * least_ ? Scalar(1) : std::numeric_limits<Scalar>::infinity();
+      return span > k_least * least_ || !is_bounded() ? Scalar(1) : std::numeric_limits<Scalar>::infinity();
     return std::min(is_jump ? k_stiff_at_jumps : k_stiff, Scalar(k_of_rates / settings_.tolerance));
   }
 
@@ -453,6 +464,7 @@ class TaylorSimulation {
   std::array<Series, 2> series_{};  ///< of the step, and of the next one
   std::size_t now_ = 0;
   Array largest_rates_{};             ///< of steps not long ago, at their beginning
+  Array rates_then_{};                ///< when a step was refused, since steps were as long again
   Array noise_{};                     ///< of rates not long ago: what they were off by, however short a step was
   Scalar least_ = 0;                  ///< steps are longer
   int refusals_ = 0;                  ///< of the step
