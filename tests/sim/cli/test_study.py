@@ -37,9 +37,8 @@ class Study(Program):
         with self.subTest("tighter tolerances deliver less error, up to rounding"):
             for method in {point["method"] for point in points if point["tolerance"]}:
                 errors = [(p["tolerance"], p["error"]) for p in points if p["method"] == method]
-                # Those next to each other may take the same steps, from sample to sample.
-                if max(errors)[0] > 1e3 * min(errors)[0]:
-                    self.assertLess(min(errors)[1], max(max(errors)[1], 1e-11), method)
+                # Where few had time, all of them may take the same steps, from sample to sample.
+                self.assertLess(min(errors)[1], max(1.01 * max(errors)[1], 1e-11), method)
         with self.subTest("errors are those of the closed form"):
             self.assertLess(self.problem["reference"]["agreement"], 1e-13)
         with self.subTest("failures have their reasons"):
