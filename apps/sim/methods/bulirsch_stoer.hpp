@@ -69,8 +69,7 @@ class BulirschStoer final : public Integrator<S> {
     while (!is_taken && is_running()) {
       const S wanted = settings_.longest_step > S(0) ? std::min(step_, settings_.longest_step) : step_;
       if (shortest_in_a_row_ > k_most_shortest || shortest_ > k_most_edges) return stop(Outcome::step_too_small);
-      // A step that is shorter than one that was refused is another one.
-      const bool arrives = was_refused ? t_ + wanted >= end : gauss::simulate::arrives(t_, wanted, end);
+      const bool arrives = gauss::simulate::arrives(t_, wanted, end, was_refused);
       is_taken = attempt(arrives ? end - t_ : wanted, arrives ? end : t_ + wanted);
       was_refused = !is_taken;
       // What comes after a step that was cut off to arrive is not known better than before it.

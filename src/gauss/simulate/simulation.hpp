@@ -134,8 +134,7 @@ class Simulation {
       // The controller's step is kept for afterwards when this one is cut off to arrive at `end`.
       if (settings_.longest_step > Scalar(0)) step_ = std::min(step_, settings_.longest_step);
       const Scalar wanted = step_;
-      // A step that is shorter than one that was refused is another one.
-      const bool arrives = refused == 0 ? simulate::arrives(t_, wanted, end) : t_ + wanted >= end;
+      const bool arrives = simulate::arrives(t_, wanted, end, refused > 0);
       const Scalar dt = arrives ? end - t_ : wanted;
       State before = state(), after = before;
       if (!attempt(rates, dt, before, after)) {
