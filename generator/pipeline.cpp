@@ -134,7 +134,7 @@ bool can_have(const std::string& output, Mechanics& mechanics) {
 
 std::optional<PipelineResult> compile(support::Source& source, PipelineOptions options,
                                       support::Diagnostics& diagnostics, Stages& stages) {
-  std::optional<model::Model> model = read_model(source, diagnostics, options.counts);
+  std::optional<model::Model> model = read_model(source, diagnostics, options.choices);
   if (!model) return std::nullopt;
   if (options.adjust) options.adjust(*model);
   stages.took("model", {std::chrono::steady_clock::now(), 0}, source.text().size());

@@ -10,7 +10,7 @@
 #include "emit/header.hpp"
 #include "emit/unit.hpp"
 #include "mechanics.hpp"
-#include "model/given_counts.hpp"
+#include "model/choices.hpp"
 #include "support/diagnostics.hpp"
 
 namespace gaussgen {
@@ -21,7 +21,7 @@ enum class Route {
 };
 
 struct PipelineOptions {
-  model::GivenCounts counts;  ///< in place of those of the model
+  model::Choices choices;  ///< counts in place of those of the model, and which of its effects act
   std::function<void(model::Model&)> adjust =
       nullptr;                       ///< what is changed in it when it is read: values of parameters and of the start
   std::vector<std::string> outputs;  ///< empty: those of the model; if it names none, all

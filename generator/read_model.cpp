@@ -65,8 +65,8 @@ void drop_vanishing_rows(model::Model& model, support::Diagnostics& diagnostics)
 }  // namespace
 
 std::optional<model::Model> read_model(support::Source& source, support::Diagnostics& diagnostics,
-                                       const model::GivenCounts& counts) {
-  std::optional<model::Model> model = model::build_model(source, diagnostics, counts);
+                                       const model::Choices& choices) {
+  std::optional<model::Model> model = model::build_model(source, diagnostics, choices);
   if (!model) return std::nullopt;
   if (!model->leaves_out) model::check_uses(*model, source, diagnostics);
   drop_vanishing_rows(*model, diagnostics);

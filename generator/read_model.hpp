@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/given_counts.hpp"
+#include "model/choices.hpp"
 #include "model/model.hpp"
 #include "support/diagnostics.hpp"
 
@@ -12,6 +12,6 @@ namespace gaussgen {
 /// The checked model without the rows that say nothing: of the three directions of a contact or of a coincidence, those in which
 /// coordinates hold the motion already. Nothing when the file has errors. Throws model::UnknownCount.
 std::optional<model::Model> read_model(support::Source& source, support::Diagnostics& diagnostics,
-                                       const model::GivenCounts& counts = {});
+                                       const model::Choices& choices = {});
 
 }  // namespace gaussgen

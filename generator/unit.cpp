@@ -135,9 +135,11 @@ class UnitBuilder {
     provenance.model_file = model_.file;
     provenance.model_hash = model_.content_hash;
     provenance.command = "gauss-gen " + (model_.file == "<stdin>" ? std::string("-") : model_.file);
-    for (const auto& [name, count] : options_.counts) {
+    for (const auto& [name, count] : options_.choices.counts) {
       provenance.command += " --count " + name + "=" + std::to_string(count);
     }
+    if (!options_.choices.effects.empty())
+      provenance.command += fmt::format(" --effects={}", fmt::join(options_.choices.effects, ","));
     if (!options_.outputs.empty()) {
       std::string list;
       for (const OutputKind& kind : output_kinds()) {

@@ -58,4 +58,11 @@ std::string unknown_count(const model::UnknownCount& unknown) {
                      near.empty() ? "its counts are " + support::joined(unknown.known()) : near);
 }
 
+std::string wrong_effects(const model::WrongEffects& wrong, const model::GivenEffects& words) {
+  std::string text;
+  for (const model::EffectMistake& one : wrong.mistakes())
+    text += fmt::format("{}--effects {}: {}; {}", text.empty() ? "" : "\n", words[one.word], one.message, one.hint);
+  return text;
+}
+
 }  // namespace gaussgen::cli

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/given_counts.hpp"
+#include "model/choices.hpp"
 
 namespace gaussgen::cli {
 
@@ -27,5 +27,8 @@ model::GivenCounts parse_counts(const std::vector<std::string>& assignments);
 
 /// Why the model has no such count, for the user.
 std::string unknown_count(const model::UnknownCount& unknown);
+
+/// What is wrong with the words of --effects, each in a line.
+std::string wrong_effects(const model::WrongEffects& wrong, const model::GivenEffects& words);
 
 }  // namespace gaussgen::cli

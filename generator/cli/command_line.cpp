@@ -30,7 +30,7 @@ class Adder {
 
   void generate() {
     add_model();
-    add_counts();
+    add_choices();
     add_path("-o,--output", options_.output, "folder for <name>.hpp, or - for standard output", "DIR",
              Argument::folder);
     add_flag("--check", options_.check, "write nothing, only say whether the model is right");
@@ -97,7 +97,7 @@ class Adder {
 
   void evaluate() {
     add_model();
-    add_counts();
+    add_choices();
     add_set();
     add_assemble();
     add_flag("--equilibrium", options_.at_equilibrium,
@@ -118,7 +118,7 @@ class Adder {
 
   void linearize() {
     add_model();
-    add_counts();
+    add_choices();
     add_choice<LinearisedAt>("--at", options_.linearised_at,
                              {{"initial", LinearisedAt::initial},
                               {"equilibrium", LinearisedAt::equilibrium},
@@ -142,7 +142,7 @@ class Adder {
 
   void derivation() {
     add_model();
-    add_counts();
+    add_choices();
     add_path("-o,--output", options_.output, "file instead of standard output", "FILE", Argument::file);
     add_choice<Format>("--format", options_.format, {{"markdown", Format::markdown}, {"latex", Format::latex}},
                        "FORMAT", "markdown (default) or latex");
@@ -167,15 +167,19 @@ class Adder {
  private:
   void add_model() { line_.arguments[app_.add_option("model", options_.model)->type_name("MODEL")] = Argument::model; }
 
-  void add_counts() {
+  /// What is chosen beside the file.
+  void add_choices() {
     const auto take = [&options = options_](const std::vector<std::string>& assignments) {
-      options.pipeline.counts = parse_counts(assignments);
+      options.pipeline.choices.counts = parse_counts(assignments);
     };
     one_each(app_.add_option_function<std::vector<std::string>>(
                  "--count", take,
                  wrapped("another size than that of the file: changes what stands under its 'counts', such as n=50; "
                          "may be repeated for others")),
              "NAME=N");
+    add_names("--effects", options_.pipeline.choices.effects,
+              "which effects of the model act: all, none or default (without the option), or names; with + and - in "
+              "front, beside the default, as in --effects=-drag, or beside the first word, as in all,-drag");
   }
 
   void add_set() {

@@ -12,7 +12,7 @@ int derive(const Options& options) {
   std::optional<ReadingGuard> guard(options.messages);
   support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
-  const auto model = read_model(source, diagnostics, options.pipeline.counts);
+  const auto model = read_model(source, diagnostics, options.pipeline.choices);
   guard.reset();
   std::optional<DerivationGuard> derivation(std::in_place, std::vector<std::string>{"derivation"}, options.most_seconds,
                                             options.messages);

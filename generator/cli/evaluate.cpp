@@ -128,7 +128,7 @@ int evaluate(const Options& options) {
   std::optional<ReadingGuard> guard(options.messages);
   support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
-  std::optional<model::Model> model = read_model(source, diagnostics, options.pipeline.counts);
+  std::optional<model::Model> model = read_model(source, diagnostics, options.pipeline.choices);
   guard.reset();
   std::optional<WantedAccelerations> wanted;
   if (model) apply_overrides(options.overrides, *model);

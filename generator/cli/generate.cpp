@@ -94,7 +94,7 @@ void remark_on_size(const PipelineResult& result, const MessageOptions& messages
 /// Only the model's own text is needed for these two, so no derivation is made.
 int check_or_list(const Options& options, support::Source& source) {
   support::Diagnostics diagnostics;
-  const auto model = read_model(source, diagnostics, options.pipeline.counts);
+  const auto model = read_model(source, diagnostics, options.pipeline.choices);
   const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
   if (!options.list_outputs) return k_ok;

@@ -260,7 +260,7 @@ int linearize(const Options& options) {
   std::optional<ReadingGuard> guard(options.messages);
   support::Source source = read_source(options.model);
   support::Diagnostics diagnostics;
-  std::optional<model::Model> model = read_model(source, diagnostics, options.pipeline.counts);
+  std::optional<model::Model> model = read_model(source, diagnostics, options.pipeline.choices);
   guard.reset();
   if (model) apply_overrides(options.overrides, *model);
   const int code = report(diagnostics, source, options.messages);

@@ -111,13 +111,41 @@ Json schema_of(const format::Map& map) {
   return schema;
 }
 
+/// Editors read descriptions beside a reference only where it is one of several conditions.
+Json reference_to(const std::string& definition, const std::string& about) {
+  return {{"allOf", {{{"$ref", "#/definitions/" + definition}}}}, {"description", about}};
+}
+
+/// In a model with effects, an entry may have the rest of its keys from them.
+Json schema_of_model() {
+  Json schema = schema_of(format::model_file());
+  Json effect = schema_of(format::effect());
+  Json strict = Json::object();
+  Json partial = Json::object();
+  for (const std::string& section : format::section_names()) {
+    const std::string about = schema["properties"][section]["description"];
+    schema["definitions"][section] = effect["properties"][section];
+    strict[section] = schema["properties"][section];
+    partial[section] = reference_to(section, about);
+    schema["properties"][section] = {{"description", about}};
+    effect["properties"][section] = reference_to(section, about);
+  }
+  schema["definitions"]["effect"] = effect;
+  Json& effects = schema["properties"][format::k_effects];
+  effects["anyOf"][0]["additionalProperties"] = {{"anyOf", {{{"$ref", "#/definitions/effect"}}, {{"type", "null"}}}}};
+  schema["if"] = {{"required", {format::k_effects}}};
+  schema["then"] = {{"properties", partial}};
+  schema["else"] = {{"properties", strict}};
+  return schema;
+}
+
 }  // namespace
 
 int schema() {
   Json document{{"$schema", "http://json-schema.org/draft-07/schema#"},
                 {"title", "model of gauss"},
                 {"description", "Written by gauss-gen schema."}};
-  document.update(schema_of(format::model_file()));
+  document.update(schema_of_model());
   write_standard_output(document.dump(2) + "\n");
   return k_ok;
 }

@@ -46,9 +46,9 @@ void read_sections(const spec::Node& root, Reading& reading) {
 }  // namespace
 
 std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics,
-                                 const GivenCounts& counts) {
+                                 const Choices& choices) {
   Reading reading{source, diagnostics, {}};
-  reading.given_counts = counts;
+  reading.choices = choices;
   reading.model.file = base_name(source.name());
   reading.model.symbols["t"] = {SymbolKind::time, 0};
   reading.model.symbols["pi"] = {SymbolKind::pi, 0};

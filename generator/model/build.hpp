@@ -3,15 +3,15 @@
 
 #include <optional>
 
-#include "model/given_counts.hpp"
+#include "model/choices.hpp"
 #include "model/model.hpp"
 #include "support/diagnostics.hpp"
 
 namespace gaussgen::model {
 
 /// Nothing when there was an error; all errors of the text are in `diagnostics`. Texts of submodels are put behind `source`.
-/// `counts` go before those of the file. Throws UnknownCount.
+/// `choices` go before what the file says. Throws UnknownCount, WrongEffects.
 std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics,
-                                 const GivenCounts& counts = {});
+                                 const Choices& choices = {});
 
 }  // namespace gaussgen::model

@@ -348,6 +348,8 @@ namespace {
 
 std::string hint_for_left_out(const std::string& name, const Reading& reading) {
   for (const LeftOut& entry : reading.left_out) {
+    if (entry.names.may_declare(name) && !entry.effect.empty())
+      return fmt::format("'{}' is of the effect '{}', which does not act", entry.entry, entry.effect);
     if (entry.names.may_declare(name))
       return fmt::format("'without' of submodel '{}' leaves out '{}', and this needs it", entry.submodel, entry.entry);
   }

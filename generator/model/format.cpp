@@ -336,6 +336,7 @@ const Map& submodel() {
   static const Map k_map{{{"file", path(), "path of its model file, relative to this one", Need::required},
                           {"on", name(), "the frame that carries what stands in space there"},
                           {"parameters", entries_of(expression()), "values of its parameters"},
+                          {"effects", or_else(name(), list_of(name())), "which of its effects act"},
                           {"without", list_of(name()), "entries that are left out"},
                           about()}};
   return k_map;
@@ -364,35 +365,97 @@ const Map& elimination() {
   return k_map;
 }
 
+namespace {
+
+/// What a model file and an effect in it have alike.
+const std::vector<Key>& sections() {
+  static const std::vector<Key> k_sections{
+      {"submodels", section(submodel()), "parts in files of their own"},
+      {"parameters", or_empty(entries_of(or_else(expression(), entry(parameter())))),
+       "constants that a program may change at run time"},
+      {"inputs", or_empty(entries_of(or_empty(or_else(expression(), entry(input()))))), "values of each evaluation"},
+      {"tables", section(table()), "functions by their points"},
+      {"coordinates", or_empty(entries_of(or_empty(entry(coordinate())))), "free and held ones"},
+      {"speeds", section(speed()), "velocities that stand in the state instead of rates"},
+      {"orientations", section(orientation()), "attitudes by unit quaternion"},
+      {"frames", section(frame()), "axes placed against others"},
+      {"joints", section(joint()), "frames carried by others, with coordinates of the motion between them"},
+      {"points", section(point()), "places on frames and bodies"},
+      {"bodies", section(body()), "with mass and inertia"},
+      {"particles", section(particle()), "with mass alone"},
+      {"constraints", section(constraint()), "on velocities, on positions, between places"},
+      {"forces", section(force()), "each with one law"},
+      {"quantities", or_empty(entries_of(or_else(or_else(expression(), vector()), entry(quantity())))),
+       "what else the emitted code shall tell of a state"}};
+  return k_sections;
+}
+
+/// An entry that may add keys to one that is there: nothing has to stand in it.
+Map partial(Map map) {
+  for (Key& key : map.keys) key.need = Need::optional;
+  for (Rule& rule : map.rules) {
+    rule.required.clear();
+    rule.one_of.clear();
+  }
+  map.laws.clear();
+  return map;
+}
+
+Value with_partial_map(Value value) {
+  if (value.map != nullptr) value.map = std::make_shared<Map>(partial(*value.map));
+  for (Value& other : value.others) other = with_partial_map(std::move(other));
+  return value;
+}
+
+Key with_partial_entries(Key section) {
+  section.value.item = std::make_shared<Value>(with_partial_map(*section.value.item));
+  return section;
+}
+
+Map effect_map() {
+  Map map{{about(),
+           {"default", word_of({"on", "off"}), "whether it acts where nobody chooses; off if left out"},
+           {"requires", list_of(name()), "effects without which it does not act"},
+           {"excludes", list_of(name()), "effects beside which it does not act"},
+           {"one_of", new_name(), "of the effects with the same word, exactly one acts"}}};
+  for (const Key& section : sections()) map.keys.push_back(with_partial_entries(section));
+  return map;
+}
+
+Map model_map() {
+  Map map{{{"gauss", of_shape(Shape::version), "version of the format: 1", Need::required},
+           {"name", new_name(), "of the model: the namespace and the file name", Need::required},
+           about(),
+           {"counts", or_empty(counts()), "whole numbers, $n in texts"}}};
+  map.keys.insert(map.keys.end(), sections().begin(), sections().end());
+  const std::vector<Key> more{
+      {k_effects, or_empty(entries_of(or_empty(map_of(effect())))),
+       "named parts of the model that a scene may do without"},
+      {"exact", or_empty(entries_of(expression())),
+       "coordinates, rates x_dot and speeds as functions of t, where they are known"},
+      {"elimination", map_of(elimination()), "the choice of dependent speeds"},
+      {"rank_tolerance", expression(), "a number: sine of the angle below which a constraint follows from the others"},
+      {"outputs", or_empty(list_of(word_of(outputs()))), "what is emitted; all if left out"},
+      {"sensitivities", or_empty(list_of(name())), "parameters by which derivatives are emitted"}};
+  map.keys.insert(map.keys.end(), more.begin(), more.end());
+  return map;
+}
+
+}  // namespace
+
+std::vector<std::string> section_names() {
+  Names names;
+  for (const Key& section : sections()) names.push_back(section.name);
+  return names;
+}
+
+const Map& effect() {
+  static const Map k_map = effect_map();
+  return k_map;
+}
+
 const Map& model_file() {
-  static const Map k_map{
-      {{"gauss", of_shape(Shape::version), "version of the format: 1", Need::required},
-       {"name", new_name(), "of the model: the namespace and the file name", Need::required},
-       about(),
-       {"counts", or_empty(counts()), "whole numbers, $n in texts"},
-       {"submodels", section(submodel()), "parts in files of their own"},
-       {"parameters", or_empty(entries_of(or_else(expression(), entry(parameter())))),
-        "constants that a program may change at run time"},
-       {"inputs", or_empty(entries_of(or_empty(or_else(expression(), entry(input()))))), "values of each evaluation"},
-       {"tables", section(table()), "functions by their points"},
-       {"coordinates", or_empty(entries_of(or_empty(entry(coordinate())))), "free and held ones"},
-       {"speeds", section(speed()), "velocities that stand in the state instead of rates"},
-       {"orientations", section(orientation()), "attitudes by unit quaternion"},
-       {"frames", section(frame()), "axes placed against others"},
-       {"joints", section(joint()), "frames carried by others, with coordinates of the motion between them"},
-       {"points", section(point()), "places on frames and bodies"},
-       {"bodies", section(body()), "with mass and inertia"},
-       {"particles", section(particle()), "with mass alone"},
-       {"constraints", section(constraint()), "on velocities, on positions, between places"},
-       {"forces", section(force()), "each with one law"},
-       {"quantities", or_empty(entries_of(or_else(or_else(expression(), vector()), entry(quantity())))),
-        "what else the emitted code shall tell of a state"},
-       {"exact", or_empty(entries_of(expression())),
-        "coordinates, rates x_dot and speeds as functions of t, where they are known"},
-       {"elimination", map_of(elimination()), "the choice of dependent speeds"},
-       {"rank_tolerance", expression(), "a number: sine of the angle below which a constraint follows from the others"},
-       {"outputs", or_empty(list_of(word_of(outputs()))), "what is emitted; all if left out"},
-       {"sensitivities", or_empty(list_of(name())), "parameters by which derivatives are emitted"}}};
+  static const Map k_map = model_map();
   return k_map;
 }
 

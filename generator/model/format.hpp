@@ -70,6 +70,8 @@ struct Map {
   std::vector<std::string> laws = {};
 };
 
+inline constexpr const char* k_effects = "effects";
+
 const Map& model_file();
 const Map& parameter();
 const Map& input();
@@ -84,6 +86,7 @@ const Map& constraint();
 const Map& force();
 const Map& table();
 const Map& submodel();
+const Map& effect();
 const Map& quantity();
 const Map& speed();
 const Map& elimination();
@@ -92,6 +95,9 @@ const Map& single_turn();
 
 const std::vector<std::string>& outputs();
 const std::vector<std::string>& joint_types();
+
+/// The keys of a model file that an effect may have, too.
+std::vector<std::string> section_names();
 
 std::vector<std::string> keys_of(const Map& map);
 

@@ -270,6 +270,17 @@ struct ClosedForm {
   Ast value;  ///< over parameters and t
 };
 
+/// A named part of the model that a scene may do without: its entries are in the model where it acts, and nothing of it is where not.
+struct Effect {
+  Name name;
+  std::string about;
+  bool by_default = false;
+  bool acts = false;
+  std::vector<Name> needs = {};  ///< `requires`
+  std::vector<Name> excludes = {};
+  std::optional<Name> one_of = std::nullopt;  ///< the choice of which exactly one acts
+};
+
 enum class SymbolKind {
   time,                  ///< `t`
   pi,                    ///< `pi`
@@ -291,9 +302,11 @@ struct SymbolRef {
 struct Model {
   Name name;
   std::string about;
-  std::string file;          ///< base name of the model file, or "<stdin>"
-  std::string content_hash;  ///< FNV-1a 64 of the text, 16 hexadecimal digits
-  bool leaves_out = false;   ///< an entry with count 0: what it would use may stand unused
+  std::string file;             ///< base name of the model file, or "<stdin>"
+  std::string content_hash;     ///< FNV-1a 64 of the text, 16 hexadecimal digits
+  bool leaves_out = false;      ///< an entry with count 0: what it would use may stand unused
+  std::vector<Effect> effects;  ///< all of the file
+  std::map<std::string, std::string> words_of_absent_effects;  ///< names that those that do not act declare or mention, each with one of them
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;
   std::vector<Table> tables;

@@ -65,6 +65,9 @@ void read_form(const Entry& entry, Reading& reading) {
 }  // namespace
 
 void read_exact(const spec::Node& root, Reading& reading) {
+  // With other effects it is another motion.
+  const auto& effects = reading.model.effects;
+  if (std::any_of(effects.begin(), effects.end(), [](const Effect& one) { return one.acts != one.by_default; })) return;
   read_section(root, "exact", reading, [&](const Entry& entry) { read_form(entry, reading); });
 }
 

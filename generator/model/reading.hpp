@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "model/choices.hpp"
 #include "model/copies.hpp"
-#include "model/given_counts.hpp"
 #include "model/model.hpp"
 #include "model/unread.hpp"
 #include "spec/node.hpp"
@@ -52,12 +52,13 @@ struct Declared {
   std::string what;  ///< "the parameter"
 };
 
-/// An entry of a submodel that the model around does without.
+/// An entry that the model does without: of a submodel, or of an effect that does not act.
 struct LeftOut {
   std::string section;
   std::string entry;
   std::string submodel;
-  Unread names = {};  ///< that it may have declared
+  std::string effect = {};  ///< empty: it is of a submodel
+  Unread names = {};        ///< that it may have declared
 };
 
 struct Reading {
@@ -82,7 +83,7 @@ struct Reading {
   std::set<std::uint32_t> faulty_values = {};  ///< where expressions begin that use what may not stand there
   std::set<std::uint32_t> along_joints = {};   ///< where joints name coordinates that are declared elsewhere
   ExpressionBudget expressions = {};
-  GivenCounts given_counts = {};
+  Choices choices = {};
   Searches searches = {};  ///< of the whole file, for names that may be meant
 
   std::string line_text(support::Span span) const { return source.line_text(span.begin); }

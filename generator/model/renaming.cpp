@@ -5,6 +5,7 @@
 #include "model/format.hpp"
 #include "model/functions.hpp"
 #include "model/rewriting.hpp"
+#include "model/shapes.hpp"
 #include "support/characters.hpp"
 
 namespace gaussgen::model {
@@ -19,24 +20,6 @@ using support::is_name_character;
 namespace {
 
 bool stays(const std::string& name) { return name == "space" || is_reserved(name); }
-
-NodeKind kind_of(Shape shape) {
-  switch (shape) {
-    case Shape::list: return NodeKind::sequence;
-    case Shape::map:
-    case Shape::entries:
-    case Shape::counts: return NodeKind::map;
-    default: return NodeKind::scalar;
-  }
-}
-
-/// Whether the value has this shape, as far as its brackets tell.
-bool fits(const Node& node, const format::Value& value) {
-  if (kind_of(value.shape) != node.kind) return false;
-  return value.shape != Shape::list || node.items.empty() || fits(node.items.front(), *value.item) ||
-         std::any_of(value.item->others.begin(), value.item->others.end(),
-                     [&](const format::Value& other) { return fits(node.items.front(), other); });
-}
 
 class Renaming {
  public:

@@ -27,6 +27,7 @@ namespace {
 
 constexpr const char* k_count = "count";
 constexpr const char* k_counts = "counts";
+
 using format::k_most_copies;
 constexpr std::array k_index_names{"i", "j", "k"};
 
@@ -80,15 +81,27 @@ class Repetition {
     read_counts(root);
     for (Entry& entry : taken_from(root)) {
       if (entry.key.text == k_counts) continue;
-      const bool is_repeatable = is_section(entry.key.text) && entry.value.kind == NodeKind::map;
-      entry.value = is_repeatable ? section(entry.key.text, std::move(entry.value))
-                                  : texts(entry.key.text, std::move(entry.value));
+      entry.value = written_out(entry.key.text, std::move(entry.value));
       root.entries.push_back(std::move(entry));
     }
     return root;
   }
 
  private:
+  Node written_out(const std::string& key, Node value) {
+    if (value.kind == NodeKind::map && key == format::k_effects) return effects(std::move(value));
+    if (value.kind == NodeKind::map && is_section(key)) return section(key, std::move(value));
+    return texts(key, std::move(value));
+  }
+
+  /// Each has sections as the file has them.
+  Node effects(Node all) {
+    for (Entry& effect : all.entries) {
+      for (Entry& part : effect.value.entries) part.value = written_out(part.key.text, std::move(part.value));
+    }
+    return all;
+  }
+
   /// Of what is no section. In a text, and in a name that is to be refused anyway, a `$` is no index.
   Node texts(const std::string& key, Node value) {
     if (!is_known(key)) return value;  // it is reported, and `$i` in it may have been right

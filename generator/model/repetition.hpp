@@ -1,7 +1,7 @@
 #pragma once
 // `count: 3`: an entry of which there are several, with `$i` in its name and its texts. Private to the folder.
 
-#include "model/given_counts.hpp"
+#include "model/choices.hpp"
 #include "model/reading.hpp"
 
 namespace gaussgen::model {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/effects.hpp"
 #include "model/fields.hpp"
 #include "model/format.hpp"
 #include "model/names.hpp"
@@ -69,10 +70,13 @@ class Submodels {
   Submodels(support::Source& source, Reading& reading) : source_(source), reading_(reading) {}
 
   /// `file` is the name of the file in which `root` stands.
-  Node assembled(Node root, const std::string& file) {
+  Node assembled(Node root, const std::string& file, const ChoiceOfEffects& effects) {
     // Counts are given for the model itself, and its parts have their own.
     static const GivenCounts k_none;
-    Whole result{repeated(std::move(root), open_.empty() ? reading_.given_counts : k_none, reading_), {}};
+    std::vector<Effect> of_part;
+    root = with_chosen_effects(std::move(root), effects, open_.empty() ? reading_.model.effects : of_part, reading_);
+    root = repeated(std::move(root), open_.empty() ? reading_.choices.counts : k_none, reading_);
+    Whole result{with_entries_of_effects(std::move(root), reading_), {}};
     auto& entries = result.root.entries;
     const auto section =
         std::find_if(entries.begin(), entries.end(), [](const Entry& e) { return e.key.text == k_submodels; });
@@ -106,7 +110,7 @@ class Submodels {
       text_field(part.value, "about", reading_);  // for readers of the file
       const Node* path = required(part.value, "file", part.key.span, where, reading_);
       if (path != nullptr && expect_scalar(*path, part.key.span, "'file'", reading_) && has_name(*path)) {
-        const std::optional<Part>& content = read(beside(file, path->scalar.text), path->span);
+        const std::optional<Part>& content = read(beside(file, path->scalar.text), path->span, effects_of(part, where));
         if (content && has_room(part, content->root, content->copies.count())) {
           reading_.unread.add(content->unread, part.key.text + "_");
           reading_.copies.add(content->copies, part.key.text + "_");
@@ -161,21 +165,44 @@ class Submodels {
     return nothing_;
   }
 
-  /// The file with its own repetitions and submodels written out; read once, however often it is taken.
-  const std::optional<Part>& read(const std::string& path, support::Span at) {
+  /// Of those that its file has.
+  ChoiceOfEffects effects_of(const Entry& part, const std::string& where) {
+    ChoiceOfEffects choice;
+    const Node* const words = spec::find(part.value, "effects");
+    if (words == nullptr) return choice;
+    const std::vector<Node> all = words->kind == NodeKind::scalar ? std::vector<Node>{*words} : words->items;
+    if (words->kind != NodeKind::scalar) expect_list(*words, part.key.span, "'effects' of " + where, reading_);
+    for (const Node& word : all) {
+      if (!expect_scalar(word, words->span, "an effect", reading_)) continue;
+      choice.words.push_back(word.scalar.text);
+      choice.places.push_back(word.span);
+    }
+    return choice;
+  }
+
+  /// The file with its own repetitions and submodels written out; made once for each choice of its effects, however often it is
+  /// taken.
+  const std::optional<Part>& read(const std::string& path, support::Span at, const ChoiceOfEffects& effects) {
     if (std::find(open_.begin(), open_.end(), path) != open_.end() || path == source_.name())
       return refuse(at, fmt::format("'{}' is a submodel of itself", path),
                     "take the common part into a file of its own");
-    if (const auto known = files_.find(path); known != files_.end()) return known->second;
-    if (open_.size() >= k_deepest || files_.size() >= k_most_files)
+    const std::pair key{path, effects.words};
+    if (const auto known = parts_.find(key); known != parts_.end()) return known->second;
+    if (open_.size() >= k_deepest || files_.size() >= k_most_files || parts_.size() >= k_most_files)
       return refuse(at, "too many files", fmt::format("{} files, {} deep, are the limit", k_most_files, k_deepest));
     open_.push_back(path);
-    std::optional<Part> content = read_new(path, at);
+    std::optional<Part> content = read_new(path, at, effects);
     open_.pop_back();
-    return files_[path] = std::move(content);
+    return parts_[key] = std::move(content);
   }
 
-  std::optional<Part> read_new(const std::string& path, support::Span at) {
+  /// As it stands there.
+  const std::optional<Node>& text_of(const std::string& path, support::Span at) {
+    if (const auto known = files_.find(path); known != files_.end()) return known->second;
+    return files_[path] = read_text(path, at);
+  }
+
+  std::optional<Node> read_text(const std::string& path, support::Span at) {
     std::string why;
     const std::optional<std::string> text = source_.read(path, why);
     if (!text) {
@@ -191,6 +218,12 @@ class Submodels {
     }
     std::optional<Node> root = spec::read_yaml_behind(source_, path, *text, reading_.diagnostics);
     if (!root || !expect_map(*root, root->span, "a model file", reading_)) return std::nullopt;
+    return root;
+  }
+
+  std::optional<Part> read_new(const std::string& path, support::Span at, const ChoiceOfEffects& effects) {
+    const std::optional<Node>& root = text_of(path, at);
+    if (!root) return std::nullopt;
     const support::Span top{root->span.begin, root->span.begin};
     // Its names, and those that it lacks, get the name of the submodel in front.
     Unread unread_around;
@@ -202,7 +235,7 @@ class Submodels {
     std::swap(copies_around, reading_.copies);
     std::swap(fields_around, fields_);
     Part part;
-    part.root = assembled(*std::move(root), path);
+    part.root = assembled(*root, path, effects);
     check_keys(part.root, "a model file", format::keys_of(format::model_file()), reading_);
     read_version(part.root, top, reading_);
     drop_unreadable_sections(part.root);
@@ -316,7 +349,7 @@ class Submodels {
           std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.key.text == name; });
       if (found == entries.end()) continue;
       is_found = true;
-      LeftOut left{section.key.text, name, submodel};
+      LeftOut left{section.key.text, name, submodel, {}, {}};
       left.names.add(*found);
       if (declares(section.key.text)) note_left_out(std::move(left), submodel + "_");
       entries.erase(found);
@@ -439,7 +472,8 @@ class Submodels {
 
   support::Source& source_;
   Reading& reading_;
-  std::map<std::string, std::optional<Part>> files_;
+  std::map<std::string, std::optional<Node>> files_;
+  std::map<std::pair<std::string, GivenEffects>, std::optional<Part>> parts_;
   const std::optional<Part> nothing_;
   std::size_t bytes_read_ = 0;      ///< of all files of submodels, each once
   std::size_t nodes_ = 0;           ///< of all that was merged
@@ -453,7 +487,7 @@ class Submodels {
 Node with_submodels(Node root, support::Source& source, Reading& reading) {
   // A copy: the names of a source move when it takes another file.
   const std::string file = source.name();
-  return Submodels(source, reading).assembled(std::move(root), file);
+  return Submodels(source, reading).assembled(std::move(root), file, {reading.choices.effects, {}});
 }
 
 }  // namespace gaussgen::model

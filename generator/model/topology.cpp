@@ -310,8 +310,10 @@ namespace {
 
 std::string hint_for_motion(const Reading& reading) {
   for (const LeftOut& entry : reading.left_out) {
-    if (entry.section == "coordinates" || entry.section == "joints" || entry.section == "orientations")
-      return fmt::format("'without' of submodel '{}' leaves out '{}', which would move", entry.submodel, entry.entry);
+    if (entry.section != "coordinates" && entry.section != "joints" && entry.section != "orientations") continue;
+    if (!entry.effect.empty())
+      return fmt::format("'{}' of the effect '{}', which does not act, would move", entry.entry, entry.effect);
+    return fmt::format("'without' of submodel '{}' leaves out '{}', which would move", entry.submodel, entry.entry);
   }
   return "add 'coordinates:', 'orientations:', or 'joints:' that move";
 }

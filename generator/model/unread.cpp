@@ -30,6 +30,16 @@ std::vector<std::string> words_of(const std::string& text) {
 
 }  // namespace
 
+std::vector<std::string> words_in(const spec::Node& part) {
+  std::vector<std::string> words = words_of(part.scalar.text);
+  const auto add = [&](const spec::Node& inner) {
+    for (std::string& word : words_in(inner)) words.push_back(std::move(word));
+  };
+  for (const spec::Node& item : part.items) add(item);
+  for (const spec::Entry& entry : part.entries) add(entry.value);
+  return words;
+}
+
 void Unread::add(const spec::Entry& part) {
   for (const std::string& word : words_of(part.key.text)) add_owner(word);
   add(part.value);

@@ -9,6 +9,9 @@
 
 namespace gaussgen::model {
 
+/// Whatever looks like a name in it.
+std::vector<std::string> words_in(const spec::Node& part);
+
 class Unread {
  public:
   /// Any word in it may be a name, and the beginning of names that follow from it, as those of a joint's coordinates do.

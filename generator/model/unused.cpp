@@ -51,6 +51,13 @@ class Reporter {
   support::Diagnostics& diagnostics_;
 };
 
+/// Where an effect uses it that does not act, code is emitted for nothing.
+std::string hint_for(const Name& name, const Model& model, const char* otherwise) {
+  const auto found = model.words_of_absent_effects.find(name.text);
+  if (found == model.words_of_absent_effects.end()) return otherwise;
+  return fmt::format("the effect '{}', which does not act, mentions it: declare it there", found->second);
+}
+
 }  // namespace
 
 void check_uses(const Model& model, const support::Source& source, support::Diagnostics& diagnostics) {
@@ -61,11 +68,12 @@ void check_uses(const Model& model, const support::Source& source, support::Diag
     reporter.report(table.name, "table", fmt::format("write {}(x), or remove it", table.name.text));
   }
   for (const Parameter& parameter : model.parameters) {
-    if (!uses.has(parameter.name)) reporter.report(parameter.name, "parameter", "use it, or remove it");
+    if (!uses.has(parameter.name))
+      reporter.report(parameter.name, "parameter", hint_for(parameter.name, model, "use it, or remove it"));
   }
   for (const Input& input : model.inputs) {
     if (uses.has(input.name)) continue;
-    reporter.report(input.name, "input", "let a force or a quantity use it, or remove it");
+    reporter.report(input.name, "input", hint_for(input.name, model, "let a force or a quantity use it, or remove it"));
   }
 }
 

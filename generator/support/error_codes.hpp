@@ -105,6 +105,10 @@ inline constexpr ErrorCode k_index{"E090", "an index or a count that cannot be w
 inline constexpr ErrorCode k_submodel_file{"E091", "the file of a submodel cannot be taken"};
 inline constexpr ErrorCode k_submodel_fit{"E092", "a submodel that does not fit into the model"};
 
+// Effects.
+inline constexpr ErrorCode k_effect_choice{"E093", "a choice of effects that cannot be"};
+inline constexpr ErrorCode k_effect_fit{"E094", "an effect that says something else than what is there"};
+
 // The initial state, which is looked at when the equations are there.
 inline constexpr ErrorCode k_impossible_start{"E070", "an initial state that violates a constraint, and is emitted"};
 inline constexpr ErrorCode k_violating_start{"W051", "an initial state that violates a constraint, and is not emitted"};
@@ -190,6 +194,8 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_index,
     code::k_submodel_file,
     code::k_submodel_fit,
+    code::k_effect_choice,
+    code::k_effect_fit,
     code::k_idle_force,
     code::k_idle_held_coordinate,
     code::k_scaled_unit,

@@ -42,6 +42,13 @@ void add_setting(CLI::App* command, RunOptions& options) {
       ->type_name("NAME=N")
       ->expected(1)
       ->take_all();
+  command
+      ->add_option("--effects", options.effects,
+                   "which effects of the model act: all, none, default or names, with commas between; with + and - in "
+                   "front beside the default, as in --effects=-drag")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("LIST");
   command->add_option("--outputs", options.outputs, "columns of the table, with commas between")
       ->delimiter(',')
       ->allow_extra_args(false)

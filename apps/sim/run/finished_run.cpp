@@ -9,6 +9,7 @@
 #include "sim/output/files.hpp"
 #include "sim/run/jumps.hpp"
 #include "sim/run/setting.hpp"
+#include "support/suggest.hpp"
 
 namespace gausssim {
 
@@ -133,6 +134,9 @@ void tell(const FinishedRun& finished) {
   std::string text =
       fmt::format("{}: {:.6g} s by {} ({}, {}, {}{})\n", prepared.name(), run.reached - prepared.span.start,
                   setting.method, how, setting.number, engine, projection);
+  if (prepared.has_effects)
+    text += fmt::format("  effects {}\n",
+                        prepared.effects.empty() ? "none" : gaussgen::support::joined(prepared.effects));
   text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
                       said(run.wall_seconds));
   text += times.was_cached || times.compile == 0 ? "\n" : fmt::format("; compiled in {} s\n", said(times.compile));

@@ -180,7 +180,8 @@ gaussgen::PipelineOptions pipeline_options(const Request& request, const Scene& 
   options.fold = scene.code && scene.code->text == "folded";
   options.plain = scene.code && scene.code->text == "expanded";
   options.where_possible = request.where_possible;
-  options.counts = counts_of(scene);
+  options.choices.counts = counts_of(scene);
+  for (const Word& word : scene.effects) options.choices.effects.push_back(word.text);
   options.strategy = strategy_of(scene);
   options.outputs = generator_outputs(scene.outputs);
   for (const char* const output : {"initial_state", "project", "energy", "residuals"})
@@ -284,6 +285,11 @@ class Preparation {
     remarks_ = remarks_on_quaternions(read, parameters_);
     result_.parameters.clear();
     for (const model::Parameter& one : read.parameters) result_.parameters.emplace_back(one.name.text, one.value);
+    result_.has_effects = !read.effects.empty();
+    result_.effects.clear();
+    for (const model::Effect& effect : read.effects) {
+      if (effect.acts) result_.effects.push_back(effect.name.text);
+    }
     result_.edge = function_with_edge(read);
     result_.acts_in_time = acts_in_time(read);
     if (const std::string remark = remark_on_edge(); !remark.empty()) remarks_.push_back(remark);
@@ -307,12 +313,15 @@ class Preparation {
       } catch (const model::UnknownCount& unknown) {
         refuse_count(unknown);
         found = {};
+      } catch (const model::WrongEffects& wrong) {
+        refuse_effects(wrong);
+        found = {};
       }
     }
   }
 
   void refuse_count(const model::UnknownCount& unknown) {
-    options_.counts.erase(unknown.name());
+    options_.choices.counts.erase(unknown.name());
     for (const GivenCount& given : result_.scene.counts) {
       if (given.name.text != unknown.name()) continue;
       if (is_of_option(given.name.span)) throw cli::UsageError(cli::unknown_count(unknown));
@@ -325,6 +334,14 @@ class Preparation {
               : fmt::format("the model has no count '{}'", unknown.name()),
           has_none || !near.empty() ? near : "its counts are " + gaussgen::support::joined(unknown.known()));
     }
+  }
+
+  void refuse_effects(const model::WrongEffects& wrong) {
+    const std::vector<Word>& words = result_.scene.effects;
+    if (is_of_option(words.front().span)) throw cli::UsageError(cli::wrong_effects(wrong, options_.choices.effects));
+    for (const model::EffectMistake& one : wrong.mistakes())
+      in_scene_.error(code::k_effect_choice, words[one.word].span, one.message, one.hint);
+    options_.choices.effects.clear();
   }
 
   bool derive() {

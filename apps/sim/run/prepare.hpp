@@ -37,6 +37,8 @@ struct PreparedModel {
   Columns columns;
   std::vector<std::pair<std::string, gaussgen::model::Ast>> parameters;  ///< each over those before it
   Span span;
+  std::vector<std::string> effects;  ///< that act
+  bool has_effects = false;          ///< the model has some, whether they act or not
   std::string model_file;
   std::string model_text;  ///< of that file, and behind it of those that it includes
   double generate_seconds = 0;

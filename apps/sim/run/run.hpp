@@ -13,7 +13,7 @@ namespace gausssim {
 struct RunOptions {
   std::string file;
   std::string output;  ///< CSV; empty: <name>.csv in the working folder; "-": standard output
-  std::vector<std::string> sets, counts, outputs;
+  std::vector<std::string> sets, counts, effects, outputs;
   std::string method, number, projection, strategy, engine, code;  ///< empty: those of the scene
   std::string start, duration, every;                              ///< expressions
   std::optional<double> tolerance, step, longest_step, error;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "cli/usage_error.hpp"
 #include "model/evaluate.hpp"
@@ -115,9 +116,31 @@ void ModelValues::check() {
   }
 }
 
+namespace {
+
+/// An effect that does not act and has something of this name: scenes may keep values for effects that they do without.
+const std::string* absent_effect_with(const std::string& name, const model::Model& in) {
+  constexpr std::string_view k_rate = "_dot";
+  const bool is_rate = name.size() > k_rate.size() && name.substr(name.size() - k_rate.size()) == k_rate;
+  const auto& words = in.words_of_absent_effects;
+  auto found = words.find(name);
+  if (found == words.end() && is_rate) found = words.find(name.substr(0, name.size() - k_rate.size()));
+  return found == words.end() || in.symbols.count(name) > 0 ? nullptr : &found->second;
+}
+
+}  // namespace
+
 void give_values(const Scene& scene, model::Model& to, gaussgen::support::Diagnostics& diagnostics) {
   ModelValues values(to, diagnostics);
+  const auto is_absent = [&](const Given& given) {
+    const std::string* const effect = absent_effect_with(given.name, to);
+    if (effect != nullptr)
+      diagnostics.warning(code::k_unused, given.span,
+                          fmt::format("'{}' is of the effect '{}', which does not act here", given.name, *effect));
+    return effect != nullptr;
+  };
   const auto give = [&](const Given& given, SymbolKind kind, const char* what, const char* hint) {
+    if (is_absent(given)) return;
     const auto symbol = to.symbols.find(given.name);
     const bool is_known = symbol != to.symbols.end();
     if (is_known && symbol->second.kind != kind)
@@ -129,6 +152,7 @@ void give_values(const Scene& scene, model::Model& to, gaussgen::support::Diagno
   for (const Given& given : scene.inputs) give(given, SymbolKind::input, "input", k_hint_for_inputs);
   const std::string of_motion = choice_of(names_of_motion(to));
   for (const Given& given : scene.initial) {
+    if (is_absent(given)) continue;
     const bool is_known = to.symbols.count(given.name) > 0;
     if (values.may_have_initial(given.name, given.span)) values.give(given, is_known ? "" : of_motion);
   }

@@ -26,6 +26,8 @@ void override_counts(const RunOptions& options, Scene& scene) {
 
 void override_by(const RunOptions& options, Scene& scene) {
   override_counts(options, scene);
+  if (!options.effects.empty()) scene.effects.clear();
+  for (const std::string& word : options.effects) scene.effects.push_back({word, {}});
   const auto word = [](const std::string& text, std::optional<Word>& to) {
     if (!text.empty()) to = Word{text, {}};
   };

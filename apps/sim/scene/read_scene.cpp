@@ -31,7 +31,7 @@ const std::vector<std::string>& keys() {
       "gauss",     "scene", "about",       "model",        "counts",     "parameters", "initial",
       "inputs",    "start", "duration",    "every",        "samples",    "outputs",    "method",
       "tolerance", "error", "step",        "number",       "projection", "strategy",   "engine",
-      "code",      "gain",  "formulation", "formulations", "exact",      "ensemble",   "longest_step"};
+      "code",      "gain",  "formulation", "formulations", "exact",      "ensemble",   "longest_step", "effects"};
   return k_keys;
 }
 
@@ -48,6 +48,7 @@ class SceneReader {
       if (model::expect_scalar(*file, root_.span, "'model'", reading_)) scene_.model = {file->scalar.text, file->span};
     }
     read_counts();
+    read_effects();
     read_given(root_, "parameters", scene_.parameters);
     read_given(root_, "initial", scene_.initial);
     read_given(root_, "inputs", scene_.inputs);
@@ -109,6 +110,20 @@ class SceneReader {
       if (const auto number = numbers_.whole(entry.value, entry.key.span, 1, 1'000'000, 10))
         scene_.counts.push_back({{entry.key.text, entry.key.span}, *number});
     });
+  }
+
+  /// One word, or a list of them.
+  void read_effects() {
+    const spec::Node* const node = spec::find(root_, "effects");
+    if (node == nullptr) return;
+    if (node->kind == spec::NodeKind::scalar) return scene_.effects.push_back({node->scalar.text, node->span});
+    if (!model::expect_list(*node, root_.span, "'effects'", reading_)) return;
+    if (node->items.empty())
+      error(code::k_wrong_count, node->span, "there is no effect in the list", "write 'effects: none' for none at all");
+    for (const spec::Node& item : node->items) {
+      if (model::expect_scalar(item, node->span, "an effect", reading_))
+        scene_.effects.push_back({item.scalar.text, item.span});
+    }
   }
 
   void read_forms() {

@@ -49,6 +49,7 @@ struct Scene {
   std::string form = "as given";  ///< what its own description is called beside others
   std::vector<GivenForm> forms;
   std::vector<GivenCount> counts;
+  std::vector<Word> effects;  ///< which act, in the words of model::GivenEffects; empty: the default
   std::vector<Given> parameters, initial, inputs;
   std::vector<Given> exact;  ///< outputs that are known as functions of time and parameters
   std::optional<gaussgen::model::Ast> start, duration, every;  ///< over parameters

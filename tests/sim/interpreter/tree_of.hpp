@@ -30,7 +30,7 @@ inline gaussgen::PipelineResult compiled_model(const std::string& model) {
     if (sign == std::string::npos) {
       options.outputs.push_back(word);
     } else {
-      options.counts[word.substr(0, sign)] = std::stoi(word.substr(sign + 1));
+      options.choices.counts[word.substr(0, sign)] = std::stoi(word.substr(sign + 1));
     }
   }
   const std::string path = std::string(GAUSS_SOURCE_DIR) + "/" + file;
