@@ -60,7 +60,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "mass_matrix") return one(mass_matrix_artefact(mechanics));
   if (name == "project") return project_artefacts(mechanics);
   if (name == "initial_state") return initial_state_artefacts(mechanics);
-  if (name == "inverse_dynamics" && has_state) return inverse_dynamics_artefact(mechanics);
+  if (name == "inverse_dynamics" && has_output(name, mechanics)) return inverse_dynamics_artefact(mechanics);
   if (name == "jacobian" && has_state) return jacobian_artefact(mechanics);
   if (name == "sensitivities") return sensitivities_artefact(mechanics);
   if (name == "quantities") return quantities_artefact(mechanics);
@@ -76,6 +76,8 @@ bool has_output(const std::string& name, Mechanics& mechanics) {
   if (name == "joint_reactions") return !model.joints.empty();
   if (name == "residuals") return has_constraints || has_quaternions(mechanics);
   if (name == "quantities") return !model.quantities.empty();
+  // Accelerations that are given have reactions of their own, and so other forces.
+  if (name == "inverse_dynamics" && model::has_reactions_in_forces(model)) return false;
   if (name == "sensitivities") return !model.sensitivities.empty() && !mechanics.options.fold;
   if (name == "mobility") return has_general_way(mechanics);
   if (name == "compulsion") return has_compulsion(mechanics);

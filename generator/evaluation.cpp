@@ -525,6 +525,9 @@ void bind_parameters(ModelGraph& motion, evaluate::Evaluator<T>& evaluator) {
   };
   bind(motion.parameter_values(), motion.symbols.parameters);
   bind(motion.input_values(), motion.symbols.inputs);
+  // Before they are found: none of them.
+  for (const ir::SymbolId reaction : motion.symbols.reactions)
+    evaluator.bind(reaction, evaluator.arithmetic().number(support::Rational(0)));
 }
 
 template void bind_parameters(ModelGraph&, evaluate::Evaluator<cl_F>&);

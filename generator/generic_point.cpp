@@ -63,6 +63,7 @@ class Spread {
     for (const ir::SymbolId input : motion_.symbols.inputs) bind(input, Rational(0));
     coordinates();
     orientations();
+    for (const ir::SymbolId reaction : motion_.symbols.reactions) bind(reaction, Rational(1));
     for (const kinematics::Speed& speed : motion_.symbols.speeds) bind(speed.symbol, Rational(1));
   }
 

@@ -11,6 +11,7 @@
 #include "evaluation.hpp"
 #include "generic_point.hpp"
 #include "kinematics/hold.hpp"
+#include "reactions_in_forces.hpp"
 #include "rounding.hpp"
 #include "strategy/composite_metric.hpp"
 #include "strategy/inner.hpp"
@@ -311,7 +312,29 @@ Mechanics::Mechanics(const model::Model& checked_model, const MechanicsOptions& 
       solution(with_questions_apart(solved(*this, chosen, steps))),
       held_reactions(strategy::held_reactions(model, dynamics, solution, steps)),
       options(chosen) {
+  if (!model.reactions.empty()) form_again();
   name_rates(*this);
+}
+
+void Mechanics::form_again() {
+  std::optional<std::vector<ir::Expr>> found = found_reactions(*this);
+  has_unsolved_reactions = !found;
+  if (!found) return;
+  strategy::Steps of_reactions;
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    if (i == 0) of_reactions.begin("reactions that forces depend on (theory.md, section 10)", model.reactions[i].of);
+    (*found)[i] = of_reactions.name((*found)[i], "reaction_" + model.reactions[i].of);
+  }
+  expressions.set_reactions(*std::move(found));
+  // What only quantities mention changes no force.
+  kinematics = kinematics::build_kinematics(model, graph, expressions, symbols);
+  if (!model::has_reactions_in_forces(model)) return;
+  covariant = support::Lazy<kinematics::Covariant>([this] { return kinematics::build_covariant(kinematics, graph); });
+  metric_steps = {};
+  steps = of_reactions;
+  dynamics = dynamics_of(*this, options, rows_found_at_generic_point(*this));
+  solution = with_questions_apart(solved(*this, options, steps));
+  held_reactions = strategy::held_reactions(model, dynamics, solution, steps);
 }
 
 strategy::Solution solved_again(const Mechanics& mechanics, const strategy::Dynamics& other, strategy::Steps& steps) {

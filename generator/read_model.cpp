@@ -48,10 +48,25 @@ void report_idle(const model::Model& model, const std::set<std::string>& vanishi
   }
 }
 
+/// Formulas may mention what is about to be dropped.
+void report_reactions_of(const std::set<std::string>& vanishing, const model::Model& model,
+                         support::Diagnostics& diagnostics) {
+  for (const Constraint& row : model.constraints) {
+    const auto is_its = [&](const model::NamedReaction& one) { return !one.is_held && one.of == row.name.text; };
+    const bool is_mentioned = std::any_of(model.reactions.begin(), model.reactions.end(), is_its);
+    if (!is_mentioned || !row.may_vanish || vanishing.count(row.name.text) == 0) continue;
+    diagnostics.error(
+        support::code::k_wrong_reference, row.name.span,
+        fmt::format("a formula mentions '{}.reaction', and coordinates hold that motion anyway", row.name.text),
+        "mention the reaction of what holds it, as that of a held coordinate");
+  }
+}
+
 void drop_vanishing_rows(model::Model& model, support::Diagnostics& diagnostics) {
   if (std::none_of(model.constraints.begin(), model.constraints.end(), may_vanish)) return;
   const std::set<std::string> vanishing = vanishing_rows(model);
   report_idle(model, vanishing, diagnostics);
+  report_reactions_of(vanishing, model, diagnostics);
   const auto drops = [&](const Constraint& row) { return row.may_vanish && vanishing.count(row.name.text) > 0; };
   for (const Constraint& row : model.constraints) {
     if (!drops(row)) continue;

@@ -40,12 +40,23 @@ class StructureCheck {
       check_accelerations();
     }
     if (!model_.dependent.empty()) check_choice();
+    if (mechanics_.has_unsolved_reactions) report_reactions();
     for (const std::size_t force : mechanics_.kinematics.idle_forces) report_idle(model_.forces[force]);
     for (const std::size_t force : mechanics_.kinematics.inner_forces) report_inner(model_.forces[force]);
     for (const model::Constraint& constraint : model_.constraints) check_contact(constraint);
   }
 
  private:
+  void report_reactions() {
+    const std::string& first = model_.reactions.front().of;
+    diagnostics_.error(
+        support::code::k_coupled_reactions, model_.name.span,
+        fmt::format("forces depend on reactions ('{}.reaction' among them) that do not follow from their "
+                    "equations, or more than four that depend on each other do",
+                    first),
+        "let fewer forces depend on reactions; what has a value without them is given by a formula");
+  }
+
   /// Of `rolls`, once for its rows. Where a `no_slip` in one direction is meant, as of a blade, a body takes its place along.
   void check_contact(const model::Constraint& constraint) {
     const auto* law = std::get_if<model::SlipLaw>(&constraint.law);

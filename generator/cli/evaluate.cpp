@@ -133,6 +133,10 @@ int evaluate(const Options& options) {
   std::optional<WantedAccelerations> wanted;
   if (model) apply_overrides(options.overrides, *model);
   if (model && !options.accelerations.empty()) wanted = parse_accelerations(options.accelerations, *model);
+  if (wanted && model::has_reactions_in_forces(*model))
+    throw UsageError(
+        "--accelerate: forces of this model depend on reactions, which are others in the motion that is asked for; "
+        "make these forces inputs");
   const int code = report(diagnostics, source, options.messages);
   if (!model || code != k_ok) return code;
   std::optional<DerivationGuard> derivation(std::in_place, k_stages, options.most_seconds, options.messages);

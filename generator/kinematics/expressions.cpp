@@ -216,6 +216,8 @@ Expr Expressions::resolved(const std::string& name) {
     }
     case model::SymbolKind::place: return place(ref.index / 3, ref.index % 3);
     case model::SymbolKind::axis: return axis(ref.index);
+    case model::SymbolKind::reaction:
+      return reactions_.empty() ? symbol(symbols_.reactions[ref.index]) : reactions_[ref.index];
   }
   return number(0);
 }

@@ -61,6 +61,9 @@ class Expressions {
 
   ir::Graph& graph() const { return graph_; }
 
+  /// What stands for the reactions of the model from now on; before, they are their symbols.
+  void set_reactions(std::vector<ir::Expr> reactions) { reactions_ = std::move(reactions); }
+
   ir::Expr number(const support::Rational& value) const { return {graph_, graph_.constant(value)}; }
   ir::Expr symbol(ir::SymbolId id) const { return {graph_, graph_.use(id)}; }
 
@@ -101,6 +104,7 @@ class Expressions {
   Frames* seen_ = &frames_;          ///< of which places and axes in expressions are
   bool looks_for_carriers_ = false;  ///< in an expression with places, as long as they are those in space
   PlaceSymbols* watched_ = nullptr;
+  std::vector<ir::Expr> reactions_;  ///< empty: they are not found yet
 };
 
 /// The rational value of a constant expression, such as an exponent.

@@ -28,6 +28,9 @@ class Declaration {
     for (const model::Input& input : model_.inputs) {
       symbols_.inputs.push_back(graph_.declare(SymbolClass::input, input.name.text));
     }
+    for (const model::NamedReaction& reaction : model_.reactions) {
+      symbols_.reactions.push_back(graph_.declare(SymbolClass::opaque, "reaction_" + reaction.of));
+    }
     return std::move(symbols_);
   }
 

@@ -49,6 +49,7 @@ struct Symbols {
   ir::SymbolId epsilon;
   std::vector<ir::SymbolId> parameters;       ///< parallel to Model::parameters
   std::vector<ir::SymbolId> inputs;           ///< parallel to Model::inputs
+  std::vector<ir::SymbolId> reactions;        ///< parallel to Model::reactions: until they are found
   std::map<std::string, ir::TableId> tables;  ///< by name; as numbered in Model::tables
   support::Indexed<ConfigurationIndex, ConfigurationVariable> configuration;
   support::Indexed<FreeIndex, Speed> speeds;

@@ -20,6 +20,8 @@ std::vector<ir::NodeId> lowered(const symbolic::Row<Index>& row, PaperLowering& 
 }  // namespace
 
 std::string paper_route_obstacle(const model::Model& model) {
+  if (model::has_reactions_in_forces(model))
+    return "the paper's route takes active forces as given, and here they contain reactions";
   const std::size_t full_count = model.coordinates.size() + 3 * model.orientations.size();
   if (full_count <= gauss::k_largest_full_count) return "";
   return fmt::format("the paper's route takes up to {} coordinates; this model has {}", gauss::k_largest_full_count,

@@ -36,6 +36,7 @@ void read_sections(const spec::Node& root, Reading& reading) {
   read_constraints(root, reading);
   read_forces(root, reading);
   read_quantities(root, reading);
+  declare_reactions(reading);
   read_exact(root, reading);
   read_elimination(root, reading);
   read_rank_tolerance(root, reading);
@@ -45,8 +46,7 @@ void read_sections(const spec::Node& root, Reading& reading) {
 
 }  // namespace
 
-std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics,
-                                 const Choices& choices) {
+std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics, const Choices& choices) {
   Reading reading{source, diagnostics, {}};
   reading.choices = choices;
   reading.model.file = base_name(source.name());

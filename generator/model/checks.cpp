@@ -10,6 +10,7 @@ void check_model(Reading& reading) {
   check_sensitivities(reading);
   check_values(reading);
   check_smoothness(reading);
+  check_reactions(reading);
   check_topology(reading);
 }
 

@@ -26,6 +26,9 @@ void check_values(Reading& reading);
 /// Jumps and kinks stay out of what is differentiated.
 void check_smoothness(Reading& reading);
 
+/// Forces are linear in reactions.
+void check_reactions(Reading& reading);
+
 /// There are bodies, they move, and every speed and constraint has something to act on.
 void check_topology(Reading& reading);
 

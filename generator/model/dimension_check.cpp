@@ -120,6 +120,11 @@ class DimensionCheck {
     for (Constraint& constraint : reading_.model.constraints) {
       const Measure unit = std::visit([&](const auto& law) { return multiplier_of(law); }, constraint.law);
       if (unit.kind == Kind::known) constraint.multiplier_unit = unit_of(unit);
+      note_reaction(constraint.name.text, unit);
+    }
+    for (const Coordinate& coordinate : reading_.model.coordinates) {
+      if (coordinate.held_at)
+        note_reaction(coordinate.name.text, force_on(measure_of(reading_.model, coordinate.name.text), false));
     }
   }
 
@@ -162,6 +167,12 @@ class DimensionCheck {
   }
 
  private:
+  void note_reaction(const std::string& of, const Measure& unit) {
+    for (NamedReaction& reaction : reading_.model.reactions) {
+      if (reaction.of == of && unit.kind == Kind::known) reaction.dimension = unit.dimension;
+    }
+  }
+
   /// λ φ is a power.
   Measure multiplier_of(const VelocityLaw& law) { return over(known(power()), inferred(law.phi)); }
 
@@ -231,8 +242,8 @@ void check_dimensions(Reading& reading) {
   DimensionCheck dimensions(reading);
   dimensions.complete_parameters();
   dimensions.complete_speeds();
-  dimensions.complete_quantities();
   dimensions.complete_multipliers();
+  dimensions.complete_quantities();
   for_each_slot(reading.model, [&](const Ast& ast, const Slot& slot) { dimensions.check(ast, slot); });
   // Next to errors this is of no interest.
   if (!reading.diagnostics.has_errors()) dimensions.report_missing();

@@ -34,6 +34,7 @@ const char* kind_name(SymbolKind kind) {
     case SymbolKind::angular_velocity: return "the angular velocity";
     case SymbolKind::speed: return "the speed";
     case SymbolKind::place: return "the place";
+    case SymbolKind::reaction: return "the reaction";
     case SymbolKind::axis: return "the axis";
   }
   return "the symbol";
@@ -51,6 +52,7 @@ bool allows(const Place& place, SymbolKind kind) {
     case SymbolKind::speed: return place.speeds && !place.defines_speeds;
     case SymbolKind::place:
     case SymbolKind::axis: return place.places;
+    case SymbolKind::reaction: return place.reactions != Reactions::none;
   }
   return false;
 }
@@ -66,7 +68,8 @@ class DomainCheck {
  public:
   explicit DomainCheck(Reading& reading) : reading_(reading) {
     for (const auto& [name, symbol] : reading.model.symbols) {
-      if (symbol.kind != SymbolKind::place && symbol.kind != SymbolKind::axis) names_.push_back(name);
+      if (symbol.kind != SymbolKind::place && symbol.kind != SymbolKind::axis && symbol.kind != SymbolKind::reaction)
+        names_.push_back(name);
     }
   }
 
@@ -222,6 +225,7 @@ class DomainCheck {
 
   std::string hint_for_component(const Name& name, const std::string& component) {
     const std::string& owner = name.text;
+    if (component == "reaction") return hint_for_reaction(name);
     if (reading_.frames.count(owner) > 0) return fmt::format("'{}' has the components x, y and z, in space", owner);
     if (reading_.model.symbols.count(owner) > 0) {
       return component == "dot" ? fmt::format("write dot({}) for the rate", owner)
@@ -230,6 +234,21 @@ class DomainCheck {
     const std::string near = did_you_mean_one_of(
         name, [&] { return names_of(reading_.frames); }, reading_);
     return near.empty() ? "a frame, a body or a point has components: declare it under 'points'" : near;
+  }
+
+  std::string hint_for_reaction(const Name& owner) {
+    const std::string component = ".reaction";
+    std::vector<std::string> known;
+    for (const Coordinate& coordinate : reading_.model.coordinates) {
+      if (coordinate.held_at) known.push_back(coordinate.name.text + component);
+    }
+    for (const Constraint& row : reading_.model.constraints) {
+      if (name_in_file(row) == owner.text && row.name.text != owner.text)
+        return fmt::format("each direction has its own, as {}", row.name.text + component);
+      known.push_back(row.name.text + component);
+    }
+    const std::string near = did_you_mean({owner.text + component, owner.span}, known, reading_);
+    return near.empty() ? "reactions are of constraints and of held coordinates, by their names" : near;
   }
 
   Reading& reading_;

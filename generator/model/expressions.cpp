@@ -17,6 +17,11 @@ constexpr Place with_places(Place place) {
   return place;
 }
 
+constexpr Place with_reactions(Reactions how, Place place) {
+  place.reactions = how;
+  return place;
+}
+
 /// Derivatives by coordinates, speeds or time are taken of what stands there.
 constexpr Place differentiated(int times, Place place) {
   place.derivatives = times;
@@ -80,10 +85,14 @@ constexpr Place k_field =
 constexpr Place k_potential =
     with_places(differentiated(1, in(Quantity::energy, {"a potential", "a potential depends on places and time alone",
                                                         "write a 'generalized' force instead", true, true, true})));
-constexpr Place k_generalized = with_places({"a generalized force", "", "", true, true, true, true, true});
-constexpr Place k_force = with_places(in(Quantity::force, {"a force", "", "", true, true, true, true, true}));
-constexpr Place k_torque = with_places(in(Quantity::torque, {"a torque", "", "", true, true, true, true, true}));
-constexpr Place k_quantity = with_places({"a quantity", "", "", true, true, true, true, true});
+constexpr Place k_generalized =
+    with_reactions(Reactions::linear, with_places({"a generalized force", "", "", true, true, true, true, true}));
+constexpr Place k_force = with_reactions(
+    Reactions::linear, with_places(in(Quantity::force, {"a force", "", "", true, true, true, true, true})));
+constexpr Place k_torque = with_reactions(
+    Reactions::linear, with_places(in(Quantity::torque, {"a torque", "", "", true, true, true, true, true})));
+constexpr Place k_quantity =
+    with_reactions(Reactions::any, with_places({"a quantity", "", "", true, true, true, true, true}));
 constexpr Place k_spring{"a property of a spring", "springs are linear",
                          "use parameters and t, or write a 'force' for another law", true, true};
 constexpr Place k_dot =

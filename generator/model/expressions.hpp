@@ -28,6 +28,13 @@ enum class Quantity {
   damping_on_owner,
 };
 
+/// Whether reactions may stand at a place.
+enum class Reactions {
+  none,
+  linear,  ///< in forces, from which they follow
+  any,
+};
+
 /// What a place allows besides numbers and `pi`, and what to tell a user who wants more.
 struct Place {
   const char* name;  ///< "the mass of a body"
@@ -43,6 +50,7 @@ struct Place {
   bool defines_speeds = false;                ///< rates are allowed, speeds are not yet
   int derivatives = 0;                        ///< by coordinates, speeds or time, that are taken of what stands here
   Quantity quantity = Quantity::any;
+  Reactions reactions = Reactions::none;
 };
 
 /// A place with what differs between the expressions that stand at places of its kind.

@@ -61,6 +61,10 @@ Measure measure_of(const Model& model, const std::string& symbol) {
     case SymbolKind::speed: return stated(model.speeds.at(index));
     case SymbolKind::place: return {Measure::Kind::known, {{1}}, "m"};
     case SymbolKind::axis: return known({});
+    case SymbolKind::reaction: {
+      const std::optional<Dimension>& dimension = model.reactions.at(index).dimension;
+      return dimension ? known(*dimension) : Measure{};
+    }
   }
   return {};
 }

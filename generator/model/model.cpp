@@ -31,6 +31,11 @@ std::size_t pushed_by_force_on(const Model& model, std::size_t frame) {
   return frame;
 }
 
+bool has_reactions_in_forces(const Model& model) {
+  return std::any_of(model.reactions.begin(), model.reactions.end(),
+                     [](const NamedReaction& one) { return one.is_in_force; });
+}
+
 bool has_units(const Model& model) {
   const auto states_unit = [](const auto& entry) { return !entry.unit.empty(); };
   const auto any = [&](const auto& list) { return std::any_of(list.begin(), list.end(), states_unit); };

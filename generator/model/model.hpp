@@ -281,6 +281,15 @@ struct Effect {
   std::optional<Name> one_of = std::nullopt;  ///< the choice of which exactly one acts
 };
 
+/// A reaction in the formulas of forces or quantities: `floor.reaction` is the multiplier of the row `floor` or the generalized reaction
+/// of the held coordinate `floor`, at the same instant.
+struct NamedReaction {
+  std::string of;
+  bool is_held = false;                ///< of a coordinate, else of a constraint
+  bool is_in_force = false;            ///< else of quantities alone
+  std::optional<Dimension> dimension = std::nullopt;  ///< energy per unit of what is held, power per φ
+};
+
 enum class SymbolKind {
   time,                  ///< `t`
   pi,                    ///< `pi`
@@ -291,6 +300,7 @@ enum class SymbolKind {
   angular_velocity,      ///< index = 3 * orientation + component
   speed,                 ///< index into speeds
   place,                 ///< index = 3 * frame + component: where its origin is, in space
+  reaction,              ///< index into reactions
   axis,                  ///< index = 9 * frame + 3 * axis + component, in space; no name of a model file
 };
 
@@ -321,6 +331,7 @@ struct Model {
   std::vector<std::string> idle_closures;  ///< rows of `coincide` that hold in every motion and are left out
   std::vector<Force> forces;
   std::vector<NamedQuantity> quantities;
+  std::vector<NamedReaction> reactions;  ///< that are mentioned
   std::vector<ClosedForm> exact;
   std::vector<Name> dependent;      ///< the user's choice of dependent speeds (3.6); empty: chosen by the generator
   std::vector<Name> outputs;        ///< empty: the default set
@@ -342,6 +353,9 @@ std::string name_in_file(const Constraint& row);
 /// What a force on a frame acts on: for a point, the frame that it is on, since the contact of a wheel wanders over it and its material
 /// does not; of a point in space, space. A point that carries a body is its own.
 std::size_t pushed_by_force_on(const Model& model, std::size_t frame);
+
+/// Forces of the model depend on reactions, which depend on forces: theory.md, section 10.
+bool has_reactions_in_forces(const Model& model);
 
 /// Whether any unit is stated; if not, no dimension was checked.
 bool has_units(const Model& model);

@@ -21,6 +21,7 @@ void read_bodies(const spec::Node& root, Reading& reading);
 void read_constraints(const spec::Node& root, Reading& reading);
 void read_forces(const spec::Node& root, Reading& reading);
 void read_quantities(const spec::Node& root, Reading& reading);
+void declare_reactions(Reading& reading);  ///< after all that forces and quantities may mention
 void read_exact(const spec::Node& root, Reading& reading);
 void read_elimination(const spec::Node& root, Reading& reading);
 void read_rank_tolerance(const spec::Node& root, Reading& reading);

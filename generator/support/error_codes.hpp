@@ -59,6 +59,7 @@ inline constexpr ErrorCode k_not_allowed_here{"E040", "a symbol that may not app
 inline constexpr ErrorCode k_dot_not_allowed{"E041", "dot(...) where no velocity may appear"};
 inline constexpr ErrorCode k_cyclic_parameters{"E042", "parameters that are defined by each other"};
 inline constexpr ErrorCode k_cyclic_frames{"E043", "frames that are placed against each other"};
+inline constexpr ErrorCode k_not_linear{"E044", "a force that is not linear in reactions"};
 
 // Mechanics.
 inline constexpr ErrorCode k_no_bodies{"E050", "a model without bodies"};
@@ -104,6 +105,7 @@ inline constexpr ErrorCode k_missing_unit{"W062", "names without a unit beside o
 inline constexpr ErrorCode k_index{"E090", "an index or a count that cannot be worked out"};
 inline constexpr ErrorCode k_submodel_file{"E091", "the file of a submodel cannot be taken"};
 inline constexpr ErrorCode k_submodel_fit{"E092", "a submodel that does not fit into the model"};
+inline constexpr ErrorCode k_coupled_reactions{"E045", "forces that depend on too many reactions"};
 
 // Effects.
 inline constexpr ErrorCode k_effect_choice{"E093", "a choice of effects that cannot be"};
@@ -172,6 +174,7 @@ inline constexpr ErrorCode k_all_codes[] = {
     code::k_dot_not_allowed,
     code::k_cyclic_parameters,
     code::k_cyclic_frames,
+    code::k_not_linear,
     code::k_no_bodies,
     code::k_nothing_moves,
     code::k_no_inertia,
@@ -208,11 +211,11 @@ inline constexpr ErrorCode k_all_codes[] = {
 
 /// What only the stages after it can find.
 inline constexpr ErrorCode k_stage_codes[] = {
-    code::k_no_paper_route,       code::k_impossible_start, code::k_violating_start, code::k_undefined_start,
-    code::k_singular_start,       code::k_dependent_start,  code::k_far_start,       code::k_chosen_start,
-    code::k_redundant_constraint, code::k_unsafe_choice,    code::k_idle_point,      code::k_contradiction,
-    code::k_contradictory_start,  code::k_empty_output,     code::k_no_tree,         code::k_singular_chart,
-    code::k_vanishing_gradient,   code::k_carried_contact,
+    code::k_no_paper_route,       code::k_impossible_start, code::k_violating_start,   code::k_undefined_start,
+    code::k_singular_start,       code::k_dependent_start,  code::k_far_start,         code::k_chosen_start,
+    code::k_redundant_constraint, code::k_unsafe_choice,    code::k_idle_point,        code::k_contradiction,
+    code::k_contradictory_start,  code::k_empty_output,     code::k_no_tree,           code::k_singular_chart,
+    code::k_vanishing_gradient,   code::k_carried_contact,  code::k_coupled_reactions,
 };
 
 }  // namespace gaussgen::support

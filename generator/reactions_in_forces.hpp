@@ -1,0 +1,18 @@
+#pragma once
+// Reactions that forces depend on, which depend on forces themselves, as those of friction: found from linear equations.
+
+#include <optional>
+#include <vector>
+
+#include "ir/expr.hpp"
+
+namespace gaussgen {
+
+struct Mechanics;
+
+/// Each reaction of Model::reactions as a function of the state: `mechanics` was formed with symbols in their place, in which its
+/// solution is linear. Nothing where more of them depend on each other than are written out, or where they say nothing of each other
+/// (theory.md, section 10).
+std::optional<std::vector<ir::Expr>> found_reactions(Mechanics& mechanics);
+
+}  // namespace gaussgen
