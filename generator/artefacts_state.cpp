@@ -219,6 +219,25 @@ std::vector<Artefact> quantities_artefact(Mechanics& mechanics) {
   return result;
 }
 
+std::vector<Artefact> guards_artefact(Mechanics& mechanics) {
+  const std::vector<model::Guard>& guards = mechanics.model.guards;
+  if (guards.empty()) return {};
+  ArtefactBuilder builder(
+      "guards", "What ends this regime where it falls through 0, with what goes along (regimes.md).", mechanics);
+  builder.result_type("Guards");
+  std::vector<Field> fields;
+  for (std::size_t i = 0; i < guards.size(); ++i) {
+    const char* const about = guards[i].kind == model::Guard::Kind::falls ? "ends the regime where it falls below 0"
+                              : guards[i].kind == model::Guard::Kind::rate_of_gap ? "rate of the gap before it"
+                                                                                  : "slip of friction that slides";
+    fields.push_back({guards[i].name, about, {}, ids({mechanics.kinematics.guards[i]})});
+  }
+  builder.fields("", "", "", std::move(fields));
+  std::vector<Artefact> result;
+  result.push_back(builder.finish({}));
+  return result;
+}
+
 Artefact mass_matrix_artefact(Mechanics& mechanics) {
   ArtefactBuilder builder("mass_matrix", "The metric g of the free speeds (1.10).", mechanics);
   builder.result_type("MassMatrix");

@@ -46,6 +46,8 @@ class ModelText {
     section("joints", model_.joints);
     section("bodies", model_.bodies);
     section("constraints", model_.constraints);
+    section("contacts", model_.contacts);
+    section("dry friction", model_.frictions);
     section("forces", model_.forces);
     section("quantities", model_.quantities);
     section("exact", model_.exact);
@@ -241,6 +243,32 @@ class ModelText {
   std::string written(const model::Torque& torque) const {
     return fmt::format("torque {} in {} axes, on {}, from {}", written(torque.components), name_of(torque.axes),
                        name_of(torque.frame), name_of(torque.from));
+  }
+  void add(const model::Contact& contact) {
+    text_ += fmt::format(
+        "  {}: {} is not negative, {}{}{}", contact.name.text, written(contact.gap), model::name_of(contact.mode),
+        contact.restitution ? ", restitution " + written(*contact.restitution) : "", remarks("", contact.about));
+  }
+
+  void add(const model::DryFriction& friction) {
+    text_ +=
+        fmt::format("  {}: {}, {}{}", friction.name.text, written(friction.law),
+                    friction.is_idle ? "without a limit" : model::name_of(friction.mode), remarks("", friction.about));
+  }
+
+  std::string written(const model::Friction& friction) const {
+    std::string slips;
+    for (const auto& slip : friction.slips)
+      slips += (slips.empty() ? "" : " and ") + std::visit([this](const auto& law) { return slip_of(law); }, slip);
+    const std::string smooth = friction.smooth ? ", fading below " + written(*friction.smooth) : "";
+    return fmt::format("friction of up to {} against {}{}", written(friction.limit), slips, smooth);
+  }
+  std::string slip_of(const model::VelocityLaw& law) const { return written(law.phi); }
+  std::string slip_of(const model::SlipLaw& law) const {
+    const auto* frame = std::get_if<std::size_t>(&law.at);
+    return fmt::format("the slip of {} on {} at {} along {} of {}", name_of(law.frame), name_of(law.surface),
+                       frame != nullptr ? name_of(*frame) : written(std::get<std::array<Ast, 3>>(law.at)),
+                       written(law.direction), name_of(law.axes));
   }
   std::string written(const model::Spring& spring) const {
     return fmt::format("spring between {} and {}, stiffness {}, length {}, damping {}", name_of(spring.first),

@@ -16,6 +16,7 @@ using ir::Expr;
 
 /// As the solution has it, with symbols for all of them.
 Expr reaction(const Mechanics& mechanics, const model::NamedReaction& of) {
+  if (of.is_absent) return mechanics.expressions.number(0);
   if (!of.is_held) {
     const auto& rows = mechanics.dynamics.constraints;
     const auto row = std::find(rows.begin(), rows.end(), of.of);

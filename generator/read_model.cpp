@@ -52,7 +52,9 @@ void report_idle(const model::Model& model, const std::set<std::string>& vanishi
 void report_reactions_of(const std::set<std::string>& vanishing, const model::Model& model,
                          support::Diagnostics& diagnostics) {
   for (const Constraint& row : model.constraints) {
-    const auto is_its = [&](const model::NamedReaction& one) { return !one.is_held && one.of == row.name.text; };
+    const auto is_its = [&](const model::NamedReaction& one) {
+      return !one.is_held && one.is_of_user && one.of == row.name.text;
+    };
     const bool is_mentioned = std::any_of(model.reactions.begin(), model.reactions.end(), is_its);
     if (!is_mentioned || !row.may_vanish || vanishing.count(row.name.text) == 0) continue;
     diagnostics.error(
@@ -67,6 +69,9 @@ void drop_vanishing_rows(model::Model& model, support::Diagnostics& diagnostics)
   const std::set<std::string> vanishing = vanishing_rows(model);
   report_idle(model, vanishing, diagnostics);
   report_reactions_of(vanishing, model, diagnostics);
+  for (model::NamedReaction& one : model.reactions) {
+    if (!one.is_held && vanishing.count(one.of) > 0) one.is_absent = true;
+  }
   const auto drops = [&](const Constraint& row) { return row.may_vanish && vanishing.count(row.name.text) > 0; };
   for (const Constraint& row : model.constraints) {
     if (!drops(row)) continue;

@@ -138,6 +138,7 @@ class UnitBuilder {
     for (const auto& [name, count] : options_.choices.counts) {
       provenance.command += " --count " + name + "=" + std::to_string(count);
     }
+    for (const auto& [name, mode] : options_.choices.regime) provenance.command += " --regime " + name + "=" + mode;
     if (!options_.choices.effects.empty())
       provenance.command += fmt::format(" --effects={}", fmt::join(options_.choices.effects, ","));
     if (!options_.outputs.empty()) {

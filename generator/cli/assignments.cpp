@@ -49,6 +49,17 @@ model::GivenCounts parse_counts(const std::vector<std::string>& assignments) {
   return counts;
 }
 
+model::GivenRegime parse_regime(const std::vector<std::string>& assignments) {
+  model::GivenRegime regime;
+  std::set<std::string> seen;
+  for (const std::string& text : assignments) {
+    const NameAndText given = at_equals("--regime", text);
+    refuse_second_of("--regime", given.name, given.name, seen);
+    regime[given.name] = trimmed(given.text);
+  }
+  return regime;
+}
+
 std::string unknown_count(const model::UnknownCount& unknown) {
   if (unknown.known().empty())
     return fmt::format("--count: the model has no '{}' that could be changed, since it has no 'counts'",

@@ -25,6 +25,9 @@ void refuse_second_of(const char* option, const std::string& name, const std::st
 /// Assignments such as n=50. Throws UsageError.
 model::GivenCounts parse_counts(const std::vector<std::string>& assignments);
 
+/// Assignments such as floor=closed. Throws UsageError.
+model::GivenRegime parse_regime(const std::vector<std::string>& assignments);
+
 /// Why the model has no such count, for the user.
 std::string unknown_count(const model::UnknownCount& unknown);
 

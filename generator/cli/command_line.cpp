@@ -169,6 +169,7 @@ class Adder {
 
   /// What is chosen beside the file.
   void add_choices() {
+    add_regime();
     const auto take = [&options = options_](const std::vector<std::string>& assignments) {
       options.pipeline.choices.counts = parse_counts(assignments);
     };
@@ -180,6 +181,19 @@ class Adder {
     add_names("--effects", options_.pipeline.choices.effects,
               "which effects of the model act: all, none or default (without the option), or names; with + and - in "
               "front, beside the default, as in --effects=-drag, or beside the first word, as in all,-drag");
+  }
+
+  void add_regime() {
+    const auto take = [&options = options_](const std::vector<std::string>& assignments) {
+      options.pipeline.choices.regime = parse_regime(assignments);
+    };
+    one_each(
+        app_.add_option_function<std::vector<std::string>>(
+            "--regime", take,
+            wrapped("the mode of a contact (open, closed), of dry friction (sticks, slides; forwards, backwards along "
+                    "one direction) or of a constraint that may break (holds, broken), such as floor=closed; may be "
+                    "repeated for others, which are open, stick and hold without it")),
+        "NAME=MODE");
   }
 
   void add_set() {

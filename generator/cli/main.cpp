@@ -41,6 +41,8 @@ int guarded(const Options& options) {
     return cli::fail(error, options.messages);
   } catch (const model::UnknownCount& unknown) {
     return fail(unknown_count(unknown), k_usage_error);
+  } catch (const model::WrongRegime& wrong) {
+    return fail(std::string("--regime: ") + wrong.what(), k_usage_error);
   } catch (const model::WrongEffects& wrong) {
     return fail(wrong_effects(wrong, options.pipeline.choices.effects), k_usage_error);
   } catch (const ir::TooManyNodes& error) {

@@ -1,5 +1,7 @@
 #include "gauss/force.hpp"
 
+#include "support/assert.hpp"
+
 namespace gaussgen::gauss {
 
 namespace {
@@ -75,6 +77,9 @@ class ForceCollector {
     const ex stretch = law.rest ? ex(chart_[A].y - chart_(*law.rest)) : ex(chart_[A].y);
     Q_[A] -= chart_(law.stiffness) * stretch + (law.damping ? chart_(*law.damping) : ex(0)) * chart_.rate_of(stretch);
   }
+
+  // paper_route_obstacle keeps such models away.
+  void operator()(const model::Friction&) { GAUSS_ASSERT(false, "friction"); }
 
   const Row<FullIndex>& sum() const { return Q_; }
 

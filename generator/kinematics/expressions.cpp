@@ -5,6 +5,7 @@
 #include "ir/removable.hpp"
 #include "ir/substitute.hpp"
 #include "kinematics/place_symbols.hpp"
+#include "kinematics/slip.hpp"
 #include "kinematics/solve_sparse.hpp"
 #include "model/functions.hpp"
 #include "support/assert.hpp"
@@ -215,11 +216,24 @@ Expr Expressions::resolved(const std::string& name) {
       return symbol(symbols_.speeds[FreeIndex{place.index}].symbol);
     }
     case model::SymbolKind::place: return place(ref.index / 3, ref.index % 3);
+    case model::SymbolKind::spin: return frames_.omega(ref.index / 3, model::Axes::space)[ref.index % 3];
     case model::SymbolKind::axis: return axis(ref.index);
+    case model::SymbolKind::slip: return slip(ref.index / 2, ref.index % 2);
     case model::SymbolKind::reaction:
+      if (model_.reactions[ref.index].is_absent) return number(0);
       return reactions_.empty() ? symbol(symbols_.reactions[ref.index]) : reactions_[ref.index];
   }
   return number(0);
+}
+
+Expr Expressions::slip(std::size_t friction, std::size_t direction) {
+  const auto& law = model_.frictions[friction].law.slips[direction];
+  if (const auto* along = std::get_if<model::VelocityLaw>(&law)) return (*this)(along->phi);
+  const auto& contact = std::get<model::SlipLaw>(law);
+  const auto* place = std::get_if<std::size_t>(&contact.at);
+  const ir::Vector3 point =
+      place != nullptr ? frames_.origin(*place) : (*this)(std::get<std::array<Ast, 3>>(contact.at));
+  return kinematics::slip(*this, contact, point, ir::multiply(frames_.axes(contact.axes), (*this)(contact.direction)));
 }
 
 // 9 frame + 3 axis + component

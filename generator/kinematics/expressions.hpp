@@ -72,6 +72,7 @@ class Expressions {
   /// Parts that are the same from a frame that moves are formed there.
   ir::Expr formed_from_carriers(const model::Ast& ast);
   ir::Expr resolved(const std::string& name);
+  ir::Expr slip(std::size_t friction, std::size_t direction);
   ir::Expr axis(std::size_t index);
   ir::Expr watched(const PlaceSymbols::Component& component);
   ir::Expr place(std::size_t frame, std::size_t component);

@@ -32,6 +32,7 @@ void hold_coordinates(Holder& hold, Kinematics& kinematics) {
   hold(kinematics.loads);
   hold(kinematics.other_force);
   hold(kinematics.carried_force);
+  for (Expr& guard : kinematics.guards) hold(guard);
   for (std::vector<Expr>& values : kinematics.quantities) {
     for (Expr& value : values) hold(value);
   }

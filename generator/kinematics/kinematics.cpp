@@ -62,6 +62,7 @@ class Builder {
                       {},
                       {},
                       {},
+                      {},
                       {}};
     for (const model::Constraint& constraint : model_.constraints) {
       result.constraints.push_back(constraint_row(constraint));
@@ -90,6 +91,7 @@ class Builder {
       result.quantities.emplace_back();
       for (const model::Ast& value : quantity.values) result.quantities.back().push_back(expressions_(value));
     }
+    for (const model::Guard& guard : model_.guards) result.guards.push_back(expressions_(guard.value));
     expressions_.carry_velocities(false);
     return result;
   }
@@ -357,6 +359,33 @@ class Builder {
     const Expr c = law.damping ? expressions_(*law.damping) : number(0);
     potential_ += support::Rational(1) / 2 * k * ir::pow(stretch, 2);
     act_along(expressions_.rate(y), -(k * stretch + c * expressions_.rate(stretch)), result);
+  }
+
+  // λ_i = -limit φ_i/|φ|, where friction would be the multiplier of φ_i if it stuck. Along one direction φ/|φ| is the sense that a regime
+  // knows, so that nothing jumps in it.
+  void apply(const model::Friction& law, Kinematics& result) {
+    std::vector<ConstraintRow> rows;
+    Expr square = law.smooth ? ir::pow(expressions_(*law.smooth), 2) : number(0);
+    for (const auto& slip : law.slips) {
+      model::Constraint row;
+      std::visit([&](const auto& of_slip) { row.law = of_slip; }, slip);
+      rows.push_back(constraint_row(row));
+      if (rows.back().phi.is_zero()) rows.pop_back();
+    }
+    for (const ConstraintRow& row : rows) square += ir::pow(row.phi, 2);
+    const Expr limit = expressions_(law.limit);
+    for (const ConstraintRow& row : rows) {
+      const bool has_sense = law.sense != 0 && rows.size() == 1;
+      const Expr part = has_sense ? number(law.sense) : row.phi * ir::pow(square, support::Rational(-1) / 2);
+      act_as(row, -limit * part, result);
+    }
+  }
+
+  /// As the reaction of a constraint with this multiplier does.
+  void act_as(const ConstraintRow& row, Expr multiplier, Kinematics& result) {
+    for (const ConstraintAction& action : row.actions)
+      push(action.frame, action.point, multiplier * action.direction, ir::zero3(graph_), result);
+    for (const FullIndex i : row.beside.indices()) result.other_force[i] += multiplier * row.beside[i];
   }
 
   Vector3 resolved(std::size_t axes, const std::array<model::Ast, 3>& components) {

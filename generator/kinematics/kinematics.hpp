@@ -121,6 +121,7 @@ struct Kinematics {
   std::vector<std::size_t> inner_forces;  ///< between places of one rigid part, which cancel there
   support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
   std::vector<std::vector<ir::Expr>> quantities;            ///< parallel to Model::quantities
+  std::vector<ir::Expr> guards;                             ///< parallel to Model::guards
   std::vector<BodyLoad> loads;                              ///< of bodies
   support::Lazy<ir::Expr> other_potential;                  ///< J; without fields
 

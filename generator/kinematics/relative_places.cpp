@@ -95,6 +95,11 @@ bool RelativePlaces::has_places(const Ast& ast) const {
   return !frames.empty();
 }
 
+bool RelativePlaces::has_spins(const Ast& ast) const {
+  if (ast.kind == AstKind::symbol) return model_.resolve(ast.name).kind == model::SymbolKind::spin;
+  return std::any_of(ast.children.begin(), ast.children.end(), [this](const Ast& child) { return has_spins(child); });
+}
+
 std::size_t RelativePlaces::common_carrier(const std::set<std::size_t>& frames) const {
   std::vector<std::size_t> common = carriers_of(model_, *frames.begin());
   for (const std::size_t frame : frames) {
@@ -143,7 +148,7 @@ bool RelativePlaces::has_cases(const Ast& ast) const {
 std::optional<std::size_t> RelativePlaces::carrier(const Ast& ast) {
   std::set<std::size_t> frames;
   collect(ast, frames);
-  if (frames.empty()) return std::nullopt;
+  if (frames.empty() || has_spins(ast)) return std::nullopt;
   const std::size_t frame = moving_carrier(frames);
   if (frame == k_space || has_cases(ast) || !is_the_same_from(frame, ast)) return std::nullopt;
   return frame;

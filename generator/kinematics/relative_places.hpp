@@ -19,6 +19,8 @@ class RelativePlaces {
   RelativePlaces(const model::Model& model, Expressions& expressions) : model_(model), expressions_(expressions) {}
 
   /// Whether an expression, or a part of it, names places or axes.
+  /// Angular velocities are those in space.
+  bool has_spins(const model::Ast& ast) const;
   bool has_places(const model::Ast& ast) const;
 
   /// The last frame that carries all places and axes in an expression whose value is the same seen from there; nothing where that is

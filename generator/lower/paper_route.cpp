@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lower/binding_lowering.hpp"
 
 namespace gaussgen::lower {
@@ -22,6 +24,9 @@ std::vector<ir::NodeId> lowered(const symbolic::Row<Index>& row, PaperLowering& 
 std::string paper_route_obstacle(const model::Model& model) {
   if (model::has_reactions_in_forces(model))
     return "the paper's route takes active forces as given, and here they contain reactions";
+  const auto is_friction = [](const model::Force& one) { return std::holds_alternative<model::Friction>(one.law); };
+  if (std::any_of(model.forces.begin(), model.forces.end(), is_friction))
+    return "the paper has no friction; write it as a force";
   const std::size_t full_count = model.coordinates.size() + 3 * model.orientations.size();
   if (full_count <= gauss::k_largest_full_count) return "";
   return fmt::format("the paper's route takes up to {} coordinates; this model has {}", gauss::k_largest_full_count,

@@ -6,6 +6,7 @@
 #include "model/fields.hpp"
 #include "model/frames.hpp"
 #include "model/names.hpp"
+#include "model/regime.hpp"
 #include "model/sections.hpp"
 #include "model/submodels.hpp"
 #include "spec/reader.hpp"
@@ -34,8 +35,11 @@ void read_sections(const spec::Node& root, Reading& reading) {
   read_bodies(root, reading);
   order_frames(reading);
   read_constraints(root, reading);
+  read_contacts(root, reading);
   read_forces(root, reading);
   read_quantities(root, reading);
+  check_regime(reading);
+  make_guards(reading);
   declare_reactions(reading);
   read_exact(root, reading);
   read_elimination(root, reading);

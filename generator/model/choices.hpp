@@ -18,9 +18,20 @@ using GivenCounts = std::map<std::string, std::int64_t>;
 /// the default. Those of submodels are their own.
 using GivenEffects = std::vector<std::string>;
 
+/// The mode of each contact, dry friction and link that breaks, by name (docs/regimes.md); those that are not named have the first one
+/// that they may have: open, sticks, holds.
+using GivenRegime = std::map<std::string, std::string>;
+
 struct Choices {
   GivenCounts counts = {};
   GivenEffects effects = {};
+  GivenRegime regime = {};
+};
+
+/// A mode is given of what the model does not have, or one that it does not take: likewise a mistake outside the file.
+class WrongRegime : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// A count is given that the model does not have: a mistake outside the file, so it has no place in it.

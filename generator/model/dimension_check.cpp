@@ -69,6 +69,8 @@ Measure wanted_at(const Slot& slot, const Model& model) {
     }
     case Quantity::stiffness_on_owner: return over(force_on(owner, false), owner);
     case Quantity::damping_on_owner: return over(force_on(owner, false), rate_of(owner));
+    case Quantity::force_along: return in("N", {{1, 1, -2}});
+    case Quantity::speed_along: return {};
   }
   return {};
 }
@@ -135,7 +137,7 @@ class DimensionCheck {
       for (const Ast& part : ast.children) check(part, slot);
       return;
     }
-    const Measure wanted = wanted_at(slot, reading_.model);
+    const Measure wanted = slot.along == nullptr ? wanted_at(slot, reading_.model) : beside(slot);
     const bool is_free = wanted.kind != Kind::known;
     const Measure found = infer_(ast, is_free ? nullptr : &wanted.dimension);
     if (is_free || found.kind != Kind::known || agree(found.dimension, wanted.dimension) || is_faulty(ast)) return;
@@ -171,6 +173,11 @@ class DimensionCheck {
     for (NamedReaction& reaction : reading_.model.reactions) {
       if (reaction.of == of && unit.kind == Kind::known) reaction.dimension = unit.dimension;
     }
+  }
+
+  Measure beside(const Slot& slot) {
+    const Measure velocity = infer_(*slot.along);
+    return slot.quantity == Quantity::force_along ? over(known(power()), velocity) : velocity;
   }
 
   /// λ φ is a power.

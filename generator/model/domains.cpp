@@ -34,6 +34,8 @@ const char* kind_name(SymbolKind kind) {
     case SymbolKind::angular_velocity: return "the angular velocity";
     case SymbolKind::speed: return "the speed";
     case SymbolKind::place: return "the place";
+    case SymbolKind::spin: return "the angular velocity";
+    case SymbolKind::slip: return "the slip";
     case SymbolKind::reaction: return "the reaction";
     case SymbolKind::axis: return "the axis";
   }
@@ -52,6 +54,8 @@ bool allows(const Place& place, SymbolKind kind) {
     case SymbolKind::speed: return place.speeds && !place.defines_speeds;
     case SymbolKind::place:
     case SymbolKind::axis: return place.places;
+    case SymbolKind::spin:
+    case SymbolKind::slip: return place.places && place.speeds;
     case SymbolKind::reaction: return place.reactions != Reactions::none;
   }
   return false;
@@ -68,8 +72,7 @@ class DomainCheck {
  public:
   explicit DomainCheck(Reading& reading) : reading_(reading) {
     for (const auto& [name, symbol] : reading.model.symbols) {
-      if (symbol.kind != SymbolKind::place && symbol.kind != SymbolKind::axis && symbol.kind != SymbolKind::reaction)
-        names_.push_back(name);
+      if (name.find('.') == std::string::npos) names_.push_back(name);
     }
   }
 
@@ -188,8 +191,9 @@ class DomainCheck {
   /// pob.x, where neither a place nor anything else is called pob.
   bool is_component_of_nothing(const std::string& name) const {
     const std::size_t point = name.find('.');
-    if (point == std::string::npos || point + 2 != name.size() || name[point + 1] < 'x' || name[point + 1] > 'z')
-      return false;
+    const bool has_component = point != std::string::npos && point + 1 < name.size() && name.back() >= 'x' &&
+                               name.back() <= 'z' && name.substr(point + 1).size() <= 2;
+    if (!has_component) return false;
     const std::string owner = name.substr(0, point);
     return reading_.frames.count(owner) == 0 && reading_.model.symbols.count(owner) == 0;
   }
@@ -226,7 +230,8 @@ class DomainCheck {
   std::string hint_for_component(const Name& name, const std::string& component) {
     const std::string& owner = name.text;
     if (component == "reaction") return hint_for_reaction(name);
-    if (reading_.frames.count(owner) > 0) return fmt::format("'{}' has the components x, y and z, in space", owner);
+    if (reading_.frames.count(owner) > 0)
+      return fmt::format("'{0}' has the components x, y and z, in space, and angular velocities wx, wy and wz", owner);
     if (reading_.model.symbols.count(owner) > 0) {
       return component == "dot" ? fmt::format("write dot({}) for the rate", owner)
                                 : fmt::format("'{}' has no components", owner);

@@ -93,6 +93,20 @@ constexpr Place k_torque = with_reactions(
     Reactions::linear, with_places(in(Quantity::torque, {"a torque", "", "", true, true, true, true, true})));
 constexpr Place k_quantity =
     with_reactions(Reactions::any, with_places({"a quantity", "", "", true, true, true, true, true}));
+constexpr Place k_limit =
+    with_reactions(Reactions::linear, with_places({"the limit of friction", "", "", true, true, true, true, true}));
+constexpr Place k_gap = with_places(differentiated(
+    2, {"a gap", "it is about places and time alone", "use coordinates, places, parameters and t", true, true, true}));
+constexpr Place k_restitution{"a restitution", "it is the same at all impacts", "use numbers and parameters"};
+constexpr Place k_strength{"the reaction at which a constraint breaks", "it stays constant during a motion",
+                           "use numbers and parameters"};
+constexpr Place k_guard =
+    with_reactions(Reactions::guards, with_places({"a guard", "", "", true, true, true, true, true}));
+constexpr Place k_slip =
+    with_places(differentiated(1, {"a velocity of slip", "friction acts along it whatever the inputs are",
+                                   "use rates such as dot(x), coordinates, parameters and t", true, true, true, true}));
+constexpr Place k_smooth{"the slip below which friction fades", "it stays constant during a motion",
+                         "use numbers and parameters"};
 constexpr Place k_spring{"a property of a spring", "springs are linear",
                          "use parameters and t, or write a 'force' for another law", true, true};
 constexpr Place k_dot =
@@ -153,17 +167,34 @@ void visit_bodies(const Model& model, const Visit& visit) {
   }
 }
 
+/// Where a body touches another one, and along what it slips there.
+void visit_slip(const SlipLaw& law, const Visit& visit) {
+  visit_all(law.direction, k_direction, visit);
+  if (const auto* place = std::get_if<std::array<Ast, 3>>(&law.at)) visit_all(*place, k_point, visit);
+}
+
 void visit_constraint(const Constraint& constraint, const Visit& visit) {
   if (const auto* law = std::get_if<VelocityLaw>(&constraint.law)) visit(law->phi, k_velocity);
   if (const auto* law = std::get_if<PositionLaw>(&constraint.law)) {
     // An equation of the user may be in any unit; those of shorthands, such as a distance, are about lengths.
     visit(law->f, {k_equation, law->f.is_derived ? Quantity::length : Quantity::any});
   }
-  if (const auto* law = std::get_if<SlipLaw>(&constraint.law)) {
-    visit_all(law->direction, k_direction, visit);
-    if (const auto* place = std::get_if<std::array<Ast, 3>>(&law->at)) visit_all(*place, k_point, visit);
-  }
+  if (const auto* law = std::get_if<SlipLaw>(&constraint.law)) visit_slip(*law, visit);
   if (constraint.point) visit_all(*constraint.point, k_point, visit);
+  if (constraint.breaks_at) visit(*constraint.breaks_at, k_strength);
+}
+
+void visit_friction(const Friction& friction, const Visit& visit) {
+  const Ast* along = nullptr;
+  for (const auto& slip : friction.slips) {
+    if (const auto* law = std::get_if<VelocityLaw>(&slip)) {
+      visit(law->phi, {k_slip, Quantity::speed_along, along});
+      along = &law->phi;
+    }
+    if (const auto* law = std::get_if<SlipLaw>(&slip)) visit_slip(*law, visit);
+  }
+  visit(friction.limit, {k_limit, Quantity::force_along, along});
+  if (friction.smooth) visit(*friction.smooth, {k_smooth, Quantity::speed_along, along});
 }
 
 void visit_force(const Force& force, const Visit& visit) {
@@ -179,6 +210,7 @@ void visit_force(const Force& force, const Visit& visit) {
     visit_all(push->components, k_force, visit);
   }
   if (const auto* torque = std::get_if<Torque>(&force.law)) visit_all(torque->components, k_torque, visit);
+  if (const auto* friction = std::get_if<Friction>(&force.law)) visit_friction(*friction, visit);
   if (const auto* spring = std::get_if<Spring>(&force.law)) {
     visit(spring->stiffness, {k_spring, Quantity::stiffness});
     if (spring->length) visit(*spring->length, {k_spring, Quantity::length});
@@ -189,6 +221,20 @@ void visit_force(const Force& force, const Visit& visit) {
     if (spring->rest) visit(*spring->rest, {k_spring, Quantity::owner, spring->coordinate});
     if (spring->damping) visit(*spring->damping, {k_spring, Quantity::damping_on_owner, spring->coordinate});
   }
+}
+
+void visit_switches(const Model& model, const Visit& visit) {
+  for (const Contact& contact : model.contacts) {
+    visit(contact.gap, k_gap);
+    if (contact.restitution) visit(*contact.restitution, k_restitution);
+  }
+  for (const DryFriction& friction : model.frictions) {
+    visit_friction(friction.law, visit);
+    const auto* const along = std::get_if<VelocityLaw>(&friction.law.slips.front());
+    if (friction.static_limit)
+      visit(*friction.static_limit, {k_limit, Quantity::force_along, along == nullptr ? nullptr : &along->phi});
+  }
+  for (const Guard& guard : model.guards) visit(guard.value, k_guard);
 }
 
 constexpr Place k_exact{"a closed form", "it says what the motion is at a time", "use t, parameters, numbers and pi",
@@ -219,6 +265,7 @@ void for_each_slot(const Model& model, const Visit& visit) {
   visit_frames(model, visit);
   visit_bodies(model, visit);
   for (const Constraint& constraint : model.constraints) visit_constraint(constraint, visit);
+  visit_switches(model, visit);
   for (const Force& force : model.forces) visit_force(force, visit);
   for (const NamedQuantity& quantity : model.quantities) visit_all(quantity.values, {k_quantity, quantity}, visit);
   for (const ClosedForm& form : model.exact)

@@ -26,6 +26,8 @@ enum class Quantity {
   force_on_owner,  ///< what times a change of the symbol makes work
   stiffness_on_owner,
   damping_on_owner,
+  force_along,  ///< power over that of the velocity beside it
+  speed_along,  ///< as the velocity beside it
 };
 
 /// Whether reactions may stand at a place.
@@ -33,6 +35,7 @@ enum class Reactions {
   none,
   linear,  ///< in forces, from which they follow
   any,
+  guards,  ///< likewise, by the program itself
 };
 
 /// What a place allows besides numbers and `pi`, and what to tell a user who wants more.
@@ -61,11 +64,13 @@ struct Slot {
   Slot(const Place& of, Quantity wanted, const Name& symbol) : place(of), quantity(wanted), owner(&symbol) {}
   Slot(const Place& of, const NamedQuantity& beside)
       : place(of), quantity(Quantity::stated), owner(&beside.name), stated(&beside) {}
+  Slot(const Place& of, Quantity wanted, const Ast* velocity) : place(of), quantity(wanted), along(velocity) {}
 
   const Place& place;
   Quantity quantity;
   const Name* owner = nullptr;            ///< the declared name that the value belongs to
   const NamedQuantity* stated = nullptr;  ///< of Quantity::stated
+  const Ast* along = nullptr;             ///< of Quantity::force_along, speed_along; null: m/s
 };
 
 /// The value of a parameter.

@@ -166,6 +166,12 @@ std::string example_of(const std::string& key, const std::string& where) {
                                                              {"angle", "psi"},
                                                              {"direction", "x"},
                                                              {"stiffness", "100"},
+                                                             {"limit", "mu*m*g"},
+                                                             {"smooth", "0.001"},
+                                                             {"directions", "[x, y]"},
+                                                             {"coefficient", "0.0002"},
+                                                             {"quadratic", "0.01"},
+                                                             {"displaced", "rho*V"},
                                                              {"values", "[0, 3, 4]"}};
   const auto found = k_examples.find(key);
   return found == k_examples.end() ? key : fmt::format("{}: {}", key, found->second);

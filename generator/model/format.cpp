@@ -282,14 +282,22 @@ const Map& constraint() {
                           {"direction", axis(), "x, y, z or three components"},
                           {"is", expression(), "the distance"},
                           {"point", vector(), "where its reaction is reported to act"},
+                          {"breaks_at", expression(), "size of its reaction at which it breaks for good"},
                           about()},
-                         {{"velocity", {"point", "about"}},
-                          {"equation", {"point", "about"}},
-                          {"rolls", {"on", "at", "about"}, {"at"}},
-                          {"no_slip", {"on", "at", "in", "direction", "about"}, {"at", "direction"}},
-                          {"coincide", {"in", "about"}},
-                          {"distance", {"is", "about"}, {"is"}}},
+                         {{"velocity", {"point", "breaks_at", "about"}},
+                          {"equation", {"point", "breaks_at", "about"}},
+                          {"rolls", {"on", "at", "breaks_at", "about"}, {"at"}},
+                          {"no_slip", {"on", "at", "in", "direction", "breaks_at", "about"}, {"at", "direction"}},
+                          {"coincide", {"in", "breaks_at", "about"}},
+                          {"distance", {"is", "breaks_at", "about"}, {"is"}}},
                          {"velocity", "equation", "rolls", "no_slip", "coincide", "distance"}};
+  return k_map;
+}
+
+const Map& contact() {
+  static const Map k_map{{{"gap", expression(), "what does not become negative", Need::required},
+                          {"restitution", expression(), "part of the speed that an impact leaves; 0 if left out"},
+                          about()}};
   return k_map;
 }
 
@@ -302,22 +310,47 @@ const Map& force() {
        {"torque", vector(), "three components"},
        {"spring", or_else(name(), list_of(name(), 2)), "between two places, or along a coordinate"},
        {"on", name(), "what it acts on"},
-       {"at", vector(), "where, in axes of what it acts on"},
+       {"at", or_else(vector(), name()), "where, in axes of what it acts on"},
        {"from", name(), "what takes the opposite force"},
        {"in", name(), "in which axes the components are"},
        {"stiffness", expression(), "force for each length"},
        {"length", expression(), "of the spring without force"},
        {"rest", expression(), "value of the coordinate without force"},
        {"damping", expression(), "force for each speed"},
+       {"drag", name(), "what a medium slows: a place"},
+       {"magnus", name(), "a body that spins in a medium"},
+       {"buoyancy", name(), "a body that displaces a medium"},
+       {"friction", or_else(expression(), list_of_most(expression(), 2)), "against these velocities"},
+       {"slides", name(), "a body with friction on another one"},
+       {"linear", expression(), "force for each speed"},
+       {"quadratic", expression(), "force for the square of each speed"},
+       {"coefficient", expression(), "in kg: force for each speed and angular velocity"},
+       {"displaced", expression(), "mass of the medium in its place"},
+       {"wind", vector(), "velocity of the medium, in space"},
+       {"directions", or_else(axis(), list_of_most(axis(), 2)), "in which it may slip, in the axes of 'in'"},
+       {"limit", expression(), "of friction while it slides; may contain reactions"},
+       {"static_limit", expression(), "of friction while it sticks; as 'limit' if left out"},
+       {"smooth", expression(), "slip below which friction fades"},
        about()},
       {{"uniform", {"about"}},
        {"potential", {"about"}},
        {"generalized", {"about"}},
-       {"force", {"on", "at", "from", "in", "about"}, {"on"}},
+       {"force", {"on", "at", "from", "in", "about"}, {"on"}, "", When::present, {{"at", vector(), ""}}},
        {"torque", {"on", "from", "in", "about"}, {"on"}},
        {"spring", {"stiffness", "length", "damping", "about"}, {}, "", When::is_list, {}, {"stiffness", "damping"}},
-       {"spring", {"stiffness", "rest", "damping", "about"}, {}, "", When::is_single, {}, {"stiffness", "damping"}}},
-      {"uniform", "potential", "generalized", "force", "torque", "spring"}};
+       {"spring", {"stiffness", "rest", "damping", "about"}, {}, "", When::is_single, {}, {"stiffness", "damping"}},
+       {"drag", {"linear", "quadratic", "wind", "about"}, {}, "", When::present, {}, {"linear", "quadratic"}},
+       {"magnus", {"coefficient", "wind", "about"}, {"coefficient"}},
+       {"buoyancy", {"displaced", "at", "about"}, {"displaced"}, "", When::present, {{"at", vector(), ""}}},
+       {"friction", {"limit", "static_limit", "smooth", "about"}, {"limit"}},
+       {"slides",
+        {"on", "at", "in", "directions", "limit", "static_limit", "smooth", "about"},
+        {"at", "directions", "limit"},
+        "",
+        When::present,
+        {{"at", or_else(vector(), name()), ""}}}},
+      {"uniform", "potential", "generalized", "force", "torque", "spring", "drag", "magnus", "buoyancy", "friction",
+       "slides"}};
   return k_map;
 }
 
@@ -384,6 +417,7 @@ const std::vector<Key>& sections() {
       {"bodies", section(body()), "with mass and inertia"},
       {"particles", section(particle()), "with mass alone"},
       {"constraints", section(constraint()), "on velocities, on positions, between places"},
+      {"contacts", section(contact()), "gaps that do not become negative"},
       {"forces", section(force()), "each with one law"},
       {"quantities", or_empty(entries_of(or_else(or_else(expression(), vector()), entry(quantity())))),
        "what else the emitted code shall tell of a state"}};

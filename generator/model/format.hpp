@@ -83,6 +83,7 @@ const Map& joint();
 const Map& body();
 const Map& particle();
 const Map& constraint();
+const Map& contact();
 const Map& force();
 const Map& table();
 const Map& submodel();

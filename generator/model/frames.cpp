@@ -220,6 +220,7 @@ void order_frames(Reading& reading) {
   for (const auto& [name, index] : reading.frames) {
     for (std::size_t i = 0; i < 3; ++i) {
       reading.model.symbols[name + "." + "xyz"[i]] = {SymbolKind::place, 3 * index + i};
+      reading.model.symbols[name + ".w" + "xyz"[i]] = {SymbolKind::spin, 3 * index + i};
     }
   }
 }

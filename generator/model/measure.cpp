@@ -60,6 +60,8 @@ Measure measure_of(const Model& model, const std::string& symbol) {
     case SymbolKind::angular_velocity: return known(angular_velocity());
     case SymbolKind::speed: return stated(model.speeds.at(index));
     case SymbolKind::place: return {Measure::Kind::known, {{1}}, "m"};
+    case SymbolKind::spin: return known(angular_velocity());
+    case SymbolKind::slip: return {};
     case SymbolKind::axis: return known({});
     case SymbolKind::reaction: {
       const std::optional<Dimension>& dimension = model.reactions.at(index).dimension;

@@ -195,6 +195,7 @@ struct Constraint {
       point;                    ///< where its reaction is reported to act, in space; default: each mass centre
   std::string multiplier_unit;  ///< power per φ, energy per f; empty when a name in it has no unit
   bool may_vanish = false;      ///< one of several directions; left out where it says nothing, as the third in a plane
+  std::optional<Ast> breaks_at = std::nullopt;  ///< size of its reaction above which it is no more; over parameters
 };
 
 /// The same acceleration on every mass: F = m * field at the mass centre.
@@ -247,10 +248,59 @@ struct CoordinateSpring {
   std::optional<Ast> damping;
 };
 
+/// Against slip φ in one direction or several: -limit φ_i/|φ| times ∂φ_i/∂ẏ, with |φ| the root of their squares. Smooth friction has
+/// sqrt(|φ|² + v_s²) instead: it fades below a slip v_s, and creeps where it is to stick.
+struct Friction {
+  std::vector<std::variant<VelocityLaw, SlipLaw>> slips;
+  Ast limit;                  ///< power per slip: N for m/s; over everything, linear in reactions
+  std::optional<Ast> smooth;  ///< v_s, over parameters; in the unit of slip
+  int sense = 0;  ///< of slip, where it is known as long as the regime lasts: ±1; 0: it follows from the state
+};
+
+/// What a switch of the model does in the regime that was read.
+enum class Mode { open, closed, sticks, slides, forwards, backwards, holds, broken };
+
+/// As scenes and emitted code call it.
+std::string name_of(Mode mode);
+
+/// gap ≥ 0: open, or closed and a constraint as long as its reaction presses (theory.md, section 11).
+struct Contact {
+  Name name;
+  std::string about;
+  Ast gap;                         ///< m or rad; over coordinates, places, parameters, t
+  std::optional<Ast> restitution;  ///< over parameters; 0 if left out
+  Mode mode = Mode::open;
+};
+
+/// Friction that sticks: a constraint as long as less than its static limit holds it. Forwards and backwards are the signs of its only
+/// slip.
+struct DryFriction {
+  Name name;
+  std::string about;
+  Friction law;
+  std::optional<Ast> static_limit;  ///< as `law.limit`, where it is more
+  Mode mode = Mode::sticks;
+  bool is_idle = false;    ///< its limit is a part of the reaction of a contact that is open
+  std::vector<Name> rows;  ///< of constraints, as long as it sticks
+};
+
+/// What ends a regime when it falls through 0, or goes along with such a function.
+struct Guard {
+  enum class Kind {
+    falls,        ///< the regime ends where it becomes negative
+    rate_of_gap,  ///< of the gap that stands before it
+    slip,         ///< of friction that slides: it ends where all of them are 0
+  };
+  std::string name;  ///< floor_opens
+  Name of;           ///< the contact, the friction, the constraint
+  Kind kind = Kind::falls;
+  Ast value;
+};
+
 struct Force {
   Name name;
   std::string about;
-  std::variant<UniformField, Potential, GeneralizedForce, PointForce, Torque, Spring, CoordinateSpring> law;
+  std::variant<UniformField, Potential, GeneralizedForce, PointForce, Torque, Spring, CoordinateSpring, Friction> law;
 };
 
 /// What a user of the emitted code wants to know of a state: one expression, or the three components of a vector.
@@ -285,8 +335,10 @@ struct Effect {
 /// of the held coordinate `floor`, at the same instant.
 struct NamedReaction {
   std::string of;
-  bool is_held = false;                ///< of a coordinate, else of a constraint
-  bool is_in_force = false;            ///< else of quantities alone
+  bool is_held = false;                               ///< of a coordinate, else of a constraint
+  bool is_in_force = false;                           ///< else of quantities or guards alone
+  bool is_of_user = false;                            ///< else guards alone mention it
+  bool is_absent = false;                             ///< there is none in this regime: it is 0
   std::optional<Dimension> dimension = std::nullopt;  ///< energy per unit of what is held, power per φ
 };
 
@@ -300,6 +352,8 @@ enum class SymbolKind {
   angular_velocity,      ///< index = 3 * orientation + component
   speed,                 ///< index into speeds
   place,                 ///< index = 3 * frame + component: where its origin is, in space
+  spin,                  ///< likewise: its angular velocity, in space
+  slip,                  ///< index = 2 * dry friction + direction
   reaction,              ///< index into reactions
   axis,                  ///< index = 9 * frame + 3 * axis + component, in space; no name of a model file
 };
@@ -316,7 +370,8 @@ struct Model {
   std::string content_hash;     ///< FNV-1a 64 of the text, 16 hexadecimal digits
   bool leaves_out = false;      ///< an entry with count 0: what it would use may stand unused
   std::vector<Effect> effects;  ///< all of the file
-  std::map<std::string, std::string> words_of_absent_effects;  ///< names that those that do not act declare or mention, each with one of them
+  std::map<std::string, std::string>
+      words_of_absent_effects;  ///< names that those that do not act declare or mention, each with one of them
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;
   std::vector<Table> tables;
@@ -327,6 +382,10 @@ struct Model {
   std::vector<Joint> joints;
   std::vector<Body> bodies;
   std::vector<Constraint> constraints;
+  std::vector<Contact> contacts;
+  std::vector<DryFriction> frictions;
+  std::vector<std::string> broken;         ///< rows that are no more in the regime that was read
+  std::vector<Guard> guards;               ///< of the regime that was read
   std::vector<Constraint> idle_slips;      ///< directions of `rolls` in which the motion is held anyway
   std::vector<std::string> idle_closures;  ///< rows of `coincide` that hold in every motion and are left out
   std::vector<Force> forces;

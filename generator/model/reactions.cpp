@@ -6,6 +6,7 @@
 
 #include "model/checks.hpp"
 #include "model/expressions.hpp"
+#include "model/regime.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
 
@@ -21,12 +22,23 @@ std::string owner_in(const std::string& name) {
   return name.substr(size) == k_component ? name.substr(0, size) : "";
 }
 
+/// Of what may be a constraint, and is none in this regime.
+bool is_absent(const std::string& owner, const Model& model) {
+  const bool is_broken = std::find(model.broken.begin(), model.broken.end(), owner) != model.broken.end();
+  return is_broken || is_reaction_of_open_contact(owner + std::string(k_component), model);
+}
+
 std::optional<NamedReaction> reaction_of(const std::string& owner, const Model& model) {
   const auto is_called = [&](const auto& entry) { return entry.name.text == owner; };
   const auto held = std::find_if(model.coordinates.begin(), model.coordinates.end(), is_called);
   if (held != model.coordinates.end() && held->held_at) return NamedReaction{owner, true};
   const bool is_row = std::any_of(model.constraints.begin(), model.constraints.end(), is_called);
   if (is_row) return NamedReaction{owner, false};
+  if (is_absent(owner, model)) {
+    NamedReaction none{owner, false};
+    none.is_absent = true;
+    return none;
+  }
   return std::nullopt;
 }
 
@@ -46,7 +58,8 @@ class Declaring {
       known = all.insert(known, *found);
       model_.symbols[ast.name] = {SymbolKind::reaction, all.size() - 1};
     }
-    known->is_in_force = known->is_in_force || place.reactions == Reactions::linear;
+    known->is_in_force = known->is_in_force || (place.reactions == Reactions::linear && !known->is_absent);
+    known->is_of_user = known->is_of_user || place.reactions != Reactions::guards;
   }
 
  private:

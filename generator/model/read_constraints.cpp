@@ -11,6 +11,8 @@
 #include "model/format.hpp"
 #include "model/frames.hpp"
 #include "model/names.hpp"
+#include "model/read_laws.hpp"
+#include "model/regime.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
 
@@ -21,6 +23,13 @@ using spec::Entry;
 using spec::Node;
 
 namespace {
+
+/// What is not known may move by any coordinate.
+std::size_t unsure_place_at(const Node& node, support::Span owner, const std::string& what, Reading& reading) {
+  const auto found = find_frame_at(node, owner, what, reading);
+  if (!found) reading.has_unknown_carrier = true;
+  return found.value_or(k_space);
+}
 
 /// Reactions of held coordinates and of constraints are reported side by side, by name.
 void check_label(const Name& name, Reading& reading) {
@@ -47,6 +56,8 @@ class ConstraintReader {
     const Entry* law = find_law(where);
     if (law == nullptr) return add(VelocityLaw{broken_expression()}, name_.span);
     check_keys(map_, where, format::keys_beside(format::constraint(), law->key.text), reading_);
+    breaks_at_ = expression_field(map_, "breaks_at", reading_);
+    is_broken_ = breaks_at_ && mode_of(name_.text, {Mode::holds, Mode::broken}, reading_) == Mode::broken;
     read_law(*law, where);
   }
 
@@ -93,32 +104,20 @@ class ConstraintReader {
     constraint.span = span;
     constraint.law = std::move(law);
     constraint.may_vanish = !suffix.empty();
+    if (is_broken_) return reading_.model.broken.push_back(constraint.name.text);
+    constraint.breaks_at = breaks_at_;
     if (const Node* point = spec::find(map_, "point")) {
       constraint.point = read_vector(*point, name_.span, "'point'", reading_);
     }
     reading_.model.constraints.push_back(std::move(constraint));
   }
 
-  /// What is not known may move by any coordinate.
   std::size_t place_at(const Node& node, support::Span owner, const std::string& what) {
-    const auto found = find_frame_at(node, owner, what, reading_);
-    if (!found) reading_.has_unknown_carrier = true;
-    return found.value_or(k_space);
+    return unsure_place_at(node, owner, what, reading_);
   }
 
-  /// `on` and `at` of rolling and sliding.
   SlipLaw read_contact(const Entry& law, const std::string& where) {
-    SlipLaw contact;
-    contact.direction = {number(0), number(0), number(0)};
-    contact.frame = place_at(law.value, law.key.span, "the body");
-    if (const Node* on = spec::find(map_, "on")) contact.surface = place_at(*on, name_.span, "'on'");
-    const Node* at = required(map_, "at", name_.span, where, reading_);
-    if (at == nullptr || at->kind == spec::NodeKind::scalar) {
-      contact.at = at == nullptr ? k_space : place_at(*at, name_.span, "'at'");
-    } else {
-      contact.at = read_vector(*at, name_.span, "'at'", reading_);
-    }
-    return contact;
+    return read_contact_of(map_, name_.span, law, where, reading_);
   }
 
   // No slip in three directions: along those in which the motion is held already, nothing remains to be said.
@@ -241,6 +240,8 @@ class ConstraintReader {
   const Node& map_;
   Name name_;
   std::string about_;
+  std::optional<Ast> breaks_at_;
+  bool is_broken_ = false;  ///< in the regime that is read
   Reading& reading_;
 };
 
@@ -266,6 +267,21 @@ void check_rows(Reading& reading) {
 }
 
 }  // namespace
+
+SlipLaw read_contact_of(const Node& map, support::Span owner, const Entry& law, const std::string& where,
+                        Reading& reading) {
+  SlipLaw contact;
+  contact.direction = {number(0), number(0), number(0)};
+  contact.frame = unsure_place_at(law.value, law.key.span, "the body", reading);
+  if (const Node* on = spec::find(map, "on")) contact.surface = unsure_place_at(*on, owner, "'on'", reading);
+  const Node* at = required(map, "at", owner, where, reading);
+  if (at == nullptr || at->kind == spec::NodeKind::scalar) {
+    contact.at = at == nullptr ? k_space : unsure_place_at(*at, owner, "'at'", reading);
+  } else {
+    contact.at = read_vector(*at, owner, "'at'", reading);
+  }
+  return contact;
+}
 
 void read_constraints(const Node& root, Reading& reading) {
   read_section(root, "constraints", reading, [&](const Entry& entry) { ConstraintReader(entry, reading).run(); });

@@ -6,6 +6,8 @@
 #include "model/format.hpp"
 #include "model/frames.hpp"
 #include "model/names.hpp"
+#include "model/read_laws.hpp"
+#include "model/regime.hpp"
 #include "model/sections.hpp"
 #include "support/error_codes.hpp"
 
@@ -105,6 +107,11 @@ void read_law(const Entry& entry, const Entry& law, const std::string& where, Fo
   if (key == "generalized") force.law = read_components(law, reading);
   if (key == "force") force.law = read_push(entry, law, where, reading);
   if (key == "torque") force.law = read_torque(entry, law, where, reading);
+  if (key == "drag") force.law = read_drag(entry, law, where, reading);
+  if (key == "magnus") force.law = read_magnus(entry, law, where, reading);
+  if (key == "buoyancy") force.law = read_buoyancy(entry, law, where, reading);
+  if (key == "friction") force.law = read_friction(entry, law, where, reading);
+  if (key == "slides") force.law = read_sliding(entry, law, where, reading);
   if (key == "spring") read_spring_law(entry, law, where, force, reading);
 }
 
@@ -130,9 +137,14 @@ const Entry* find_law(const Entry& entry, const std::string& where, Reading& rea
     reading.diagnostics.error(
         code::k_missing_key, entry.key.span, fmt::format("{} has no law", where),
         "add one of uniform: [x, y, z], potential: V, generalized: {coordinate: Q}, force: [x, y, "
-        "z], torque: [x, y, z], spring: [P, Q]");
+        "z], torque: [x, y, z], spring: [P, Q], drag: body, magnus: body, buoyancy: body, friction: dot(x), slides: "
+        "body");
   }
   return first;
+}
+
+bool is_buoyancy(const Entry& entry) {
+  return entry.value.kind == spec::NodeKind::map && spec::find(entry.value, "buoyancy") != nullptr;
 }
 
 void read_force(const Entry& entry, Reading& reading) {
@@ -148,13 +160,26 @@ void read_force(const Entry& entry, Reading& reading) {
     if (const Entry* law = find_law(entry, where, reading)) read_law(entry, *law, where, force, reading);
     force.about = text_field(entry.value, "about", reading);
   }
+  const auto* const friction = std::get_if<Friction>(&force.law);
+  if (friction != nullptr && !friction->smooth) {
+    DryFriction dry{force.name, force.about, *friction, expression_field(entry.value, "static_limit", reading)};
+    return take_friction(std::move(dry), std::move(force), reading);
+  }
   reading.model.forces.push_back(std::move(force));
 }
 
 }  // namespace
 
 void read_forces(const spec::Node& root, Reading& reading) {
-  read_section(root, "forces", reading, [&](const Entry& entry) { read_force(entry, reading); });
+  std::vector<std::size_t> lifted;
+  read_section(root, "forces", reading, [&](const Entry& entry) {
+    if (is_buoyancy(entry)) lifted.push_back(reading.model.forces.size());
+    read_force(entry, reading);
+  });
+  for (const std::size_t i : lifted) {
+    if (auto* const push = std::get_if<PointForce>(&reading.model.forces[i].law))
+      finish_buoyancy(*push, reading.model.forces);
+  }
 }
 
 }  // namespace gaussgen::model

@@ -84,6 +84,7 @@ struct Reading {
   std::set<std::uint32_t> along_joints = {};   ///< where joints name coordinates that are declared elsewhere
   ExpressionBudget expressions = {};
   Choices choices = {};
+  std::set<std::string> switches = {};  ///< what has modes
   Searches searches = {};  ///< of the whole file, for names that may be meant
 
   std::string line_text(support::Span span) const { return source.line_text(span.begin); }

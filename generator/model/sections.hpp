@@ -19,6 +19,7 @@ void read_frames(const spec::Node& root, Reading& reading);  ///< points, too
 void read_joints(const spec::Node& root, Reading& reading);
 void read_bodies(const spec::Node& root, Reading& reading);
 void read_constraints(const spec::Node& root, Reading& reading);
+void read_contacts(const spec::Node& root, Reading& reading);  ///< after constraints, before forces
 void read_forces(const spec::Node& root, Reading& reading);
 void read_quantities(const spec::Node& root, Reading& reading);
 void declare_reactions(Reading& reading);  ///< after all that forces and quantities may mention

@@ -42,7 +42,7 @@ void collect(const Ast& ast, const Model& model, Uses& uses) {
     uses.coordinates.insert(symbol->second.index);
   } else if (symbol->second.kind == SymbolKind::quaternion_component) {
     uses.orientations.insert(symbol->second.index / 4);
-  } else if (symbol->second.kind == SymbolKind::place) {
+  } else if (symbol->second.kind == SymbolKind::place || symbol->second.kind == SymbolKind::spin) {
     collect_placement(symbol->second.index / 3, model, uses);
   } else if (symbol->second.kind == SymbolKind::axis) {
     collect_placement(symbol->second.index / 9, model, uses);
@@ -110,6 +110,15 @@ struct UsesOfForce {
   }
   void operator()(const Spring& law) {
     for (const std::size_t one : {law.first, law.second}) frame(one);
+  }
+  void operator()(const Friction& law) {
+    collect(law.limit, model, uses);
+    for (const auto& slip : law.slips) {
+      if (const auto* one = std::get_if<VelocityLaw>(&slip)) collect(one->phi, model, uses);
+      if (const auto* one = std::get_if<SlipLaw>(&slip)) {
+        for (const std::size_t of : {one->frame, one->surface, one->axes}) frame(of);
+      }
+    }
   }
   void operator()(const CoordinateSpring&) {}  // of the coordinate itself: it moves nothing else
 };
@@ -198,7 +207,8 @@ bool has_free_speed(const Ast& ast, bool inside_dot, const Model& model) {
   if (ast.kind == AstKind::symbol) {
     const auto symbol = model.symbols.find(ast.name);
     if (symbol == model.symbols.end() || symbol->second.kind == SymbolKind::angular_velocity ||
-        symbol->second.kind == SymbolKind::speed) {
+        symbol->second.kind == SymbolKind::speed || symbol->second.kind == SymbolKind::spin ||
+        symbol->second.kind == SymbolKind::slip) {
       return true;
     }
     if (!inside_dot) return false;

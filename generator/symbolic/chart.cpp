@@ -14,6 +14,10 @@ Chart::Chart(const Model& model) : time_(declare("t")), frames_(model, *this) {
     const model::SymbolRef place = model.resolve(name);
     if (place.kind == model::SymbolKind::axis)
       return frames_(place.index / 9).axes[place.index % 3][place.index / 3 % 3];
+    if (place.kind == model::SymbolKind::spin) {
+      const Placement& placement = frames_(place.index / 3);
+      return multiply(placement.axes, placement.omega_body)[place.index % 3];
+    }
     return frames_(place.index / 3).origin[place.index % 3];
   };
   for (const model::Table& table : model.tables)
