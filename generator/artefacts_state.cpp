@@ -230,7 +230,7 @@ std::vector<Artefact> guards_artefact(Mechanics& mechanics) {
     const char* const about = guards[i].kind == model::Guard::Kind::falls ? "ends the regime where it falls below 0"
                               : guards[i].kind == model::Guard::Kind::rate_of_gap ? "rate of the gap before it"
                                                                                   : "slip of friction that slides";
-    fields.push_back({guards[i].name, about, {}, ids({mechanics.kinematics.guards[i]})});
+    fields.push_back({guards[i].name, about, {}, {mechanics.kinematics.guards[i].id()}});
   }
   builder.fields("", "", "", std::move(fields));
   std::vector<Artefact> result;

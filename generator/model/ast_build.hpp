@@ -34,12 +34,14 @@ inline Ast product_of(Ast a, Ast b) {
   return product;
 }
 
-inline Ast difference_of(Ast a, Ast b) {
-  const support::Span span = b.span;
+inline Ast negative_of(Ast a) {
+  const support::Span span = a.span;
   std::vector<Ast> inner;
-  inner.push_back(std::move(b));
-  return sum_of(std::move(a), node_of(AstKind::negate, span, std::move(inner)));
+  inner.push_back(std::move(a));
+  return node_of(AstKind::negate, span, std::move(inner));
 }
+
+inline Ast difference_of(Ast a, Ast b) { return sum_of(std::move(a), negative_of(std::move(b))); }
 
 inline Ast square_of(Ast a) {
   const support::Span span = a.span;

@@ -281,7 +281,7 @@ struct DryFriction {
   std::optional<Ast> static_limit;  ///< as `law.limit`, where it is more
   Mode mode = Mode::sticks;
   bool is_idle = false;    ///< its limit is a part of the reaction of a contact that is open
-  std::vector<Name> rows;  ///< of constraints, as long as it sticks
+  std::vector<Name> rows = {};  ///< of constraints, as long as it sticks
 };
 
 /// What ends a regime when it falls through 0, or goes along with such a function.

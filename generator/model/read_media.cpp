@@ -14,13 +14,6 @@ using spec::Node;
 
 namespace {
 
-Ast negative_of(Ast a) {
-  const support::Span span = a.span;
-  std::vector<Ast> inner;
-  inner.push_back(std::move(a));
-  return node_of(AstKind::negate, span, std::move(inner));
-}
-
 /// Of the place against the medium; its sums are checked as those of the user.
 std::array<Ast, 3> velocity_of(const Name& place, const Node* wind, Reading& reading) {
   std::array<Ast, 3> velocity;

@@ -28,13 +28,6 @@ bool vanishes(const Ast& ast, const Model& model) {
   }
 }
 
-Ast negative_of(Ast a) {
-  const support::Span span = a.span;
-  std::vector<Ast> inner;
-  inner.push_back(std::move(a));
-  return node_of(AstKind::negate, span, std::move(inner));
-}
-
 /// limit² - Σ r²
 Ast margin_of(const Ast& limit, const std::vector<Name>& rows) {
   std::vector<Ast> terms{square_of(limit)};
