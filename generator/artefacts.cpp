@@ -20,7 +20,8 @@ const std::vector<OutputKind>& output_kinds() {
       {"project", "nearest state that satisfies the constraints"},
       {"initial_state", "the model's initial state"},
       {"quantities", "what the model names under 'quantities'"},
-      {"guards", "what ends the regime of contacts and friction"},
+      {"impact_system", "inertia and gradients that impulses of contacts and friction act on", false},
+      {"guards", "what ends the regime of contacts and friction", false},
       {"poses", "where bodies and joints are, and how bodies are turned", false},
       {"inverse_dynamics", "forces and inputs that make given accelerations", false},
       {"jacobian", "derivatives of rhs by state, inputs and time", false},
@@ -66,6 +67,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "sensitivities") return sensitivities_artefact(mechanics);
   if (name == "quantities") return quantities_artefact(mechanics);
   if (name == "guards") return guards_artefact(mechanics);
+  if (name == "impact_system" && has_output(name, mechanics)) return impact_system_artefact(mechanics);
   if (name == "poses") return poses_artefact(mechanics);
   if (name == "taylor" && has_state) return taylor_artefact(mechanics);
   return {};
@@ -79,6 +81,8 @@ bool has_output(const std::string& name, Mechanics& mechanics) {
   if (name == "residuals") return has_constraints || has_quaternions(mechanics);
   if (name == "quantities") return !model.quantities.empty();
   if (name == "guards") return !model.guards.empty();
+  if (name == "impact_system")
+    return model.is_ground && mechanics.dynamics.n() > 0 && model.contacts.size() + model.frictions.size() > 0;
   // Accelerations that are given have reactions of their own, and so other forces.
   if (name == "inverse_dynamics" && model::has_reactions_in_forces(model)) return false;
   if (name == "sensitivities") return !model.sensitivities.empty() && !mechanics.options.fold;

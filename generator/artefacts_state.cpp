@@ -238,6 +238,53 @@ std::vector<Artefact> guards_artefact(Mechanics& mechanics) {
   return result;
 }
 
+namespace {
+
+Vector gradient_of(const Mechanics& mechanics, const kinematics::ConstraintRow& row) {
+  Vector gradient;
+  for (const auto i : mechanics.symbols.speeds.indices()) gradient.push_back(row.beta[mechanics.symbols.full(i)]);
+  return gradient;
+}
+
+}  // namespace
+
+std::vector<Artefact> impact_system_artefact(Mechanics& mechanics) {
+  const kinematics::SwitchRows& switches = mechanics.kinematics.switches;
+  strategy::Matrix rows, limits;
+  Vector rates, gaps;
+  const auto add = [&](const kinematics::ConstraintRow& row) {
+    rows.push_back(gradient_of(mechanics, row));
+    rates.push_back(row.phi);
+  };
+  for (const kinematics::ConstraintRow& row : mechanics.kinematics.constraints) add(row);
+  for (const kinematics::ConstraintRow& row : switches.contacts) {
+    add(row);
+    gaps.push_back(*row.f);
+  }
+  for (const auto& slips : switches.frictions) {
+    for (const kinematics::ConstraintRow& row : slips) add(row);
+  }
+  for (const auto& of_friction : switches.limits) limits.push_back(of_friction);
+  ArtefactBuilder builder("impact_system",
+                          "What impulses act on: inertia, and rows along which they do (theory.md, section 11).",
+                          mechanics);
+  builder.result_type("ImpactSystem");
+  const int n = static_cast<int>(mechanics.dynamics.n()), l = static_cast<int>(rows.size());
+  const int c = static_cast<int>(gaps.size()), f = static_cast<int>(limits.size());
+  const strategy::Matrix& g = mechanics.dynamics.g;
+  std::vector<Field> fields{
+      {"g", "the metric of the free speeds (1.10)", {n, n}, ids(g)},
+      {"rows", "dphi/du of constraints, then of gaps of contacts, then of slips of friction", {l, n}, ids(rows)},
+      {"rates", "phi of each of them", {l}, ids(rates)}};
+  if (c > 0) fields.push_back({"gaps", "of each contact", {c}, ids(gaps)});
+  if (c > 0 && f > 0)
+    fields.push_back({"limits", "of each friction per reaction of each contact", {f, c}, ids(limits)});
+  builder.fields("", "", "", std::move(fields));
+  std::vector<Artefact> result;
+  result.push_back(builder.finish({}));
+  return result;
+}
+
 Artefact mass_matrix_artefact(Mechanics& mechanics) {
   ArtefactBuilder builder("mass_matrix", "The metric g of the free speeds (1.10).", mechanics);
   builder.result_type("MassMatrix");

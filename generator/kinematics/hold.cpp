@@ -33,6 +33,13 @@ void hold_coordinates(Holder& hold, Kinematics& kinematics) {
   hold(kinematics.other_force);
   hold(kinematics.carried_force);
   for (Expr& guard : kinematics.guards) hold(guard);
+  for (ConstraintRow& row : kinematics.switches.contacts) hold(row);
+  for (std::vector<ConstraintRow>& rows : kinematics.switches.frictions) {
+    for (ConstraintRow& row : rows) hold(row);
+  }
+  for (std::vector<Expr>& limits : kinematics.switches.limits) {
+    for (Expr& limit : limits) hold(limit);
+  }
   for (std::vector<Expr>& values : kinematics.quantities) {
     for (Expr& value : values) hold(value);
   }

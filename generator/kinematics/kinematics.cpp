@@ -63,6 +63,7 @@ class Builder {
                       {},
                       {},
                       {},
+                      {},
                       {}};
     for (const model::Constraint& constraint : model_.constraints) {
       result.constraints.push_back(constraint_row(constraint));
@@ -93,6 +94,7 @@ class Builder {
     }
     for (const model::Guard& guard : model_.guards) result.guards.push_back(expressions_(guard.value));
     expressions_.carry_velocities(false);
+    if (model_.is_ground) result.switches = switch_rows();
     return result;
   }
 
@@ -184,6 +186,38 @@ class Builder {
   Expr number(int value) const { return expressions_.number(value); }
 
   Expr partial(Expr function, FullIndex i) { return partials_(function, i); }
+
+  SwitchRows switch_rows() {
+    SwitchRows rows;
+    for (const model::Contact& contact : model_.contacts) {
+      model::Constraint row;
+      row.law = model::PositionLaw{contact.gap};
+      rows.contacts.push_back(constraint_row(row));
+    }
+    for (const model::DryFriction& friction : model_.frictions) {
+      rows.frictions.emplace_back();
+      for (const auto& slip : friction.law.slips) {
+        model::Constraint row;
+        std::visit([&](const auto& law) { row.law = law; }, slip);
+        rows.frictions.back().push_back(constraint_row(row));
+      }
+      rows.limits.push_back(limits_per_reaction(friction));
+    }
+    return rows;
+  }
+
+  std::vector<Expr> limits_per_reaction(const model::DryFriction& friction) {
+    expressions_.show_absent(true);
+    const Expr limit = expressions_(friction.law.limit);
+    expressions_.show_absent(false);
+    std::vector<Expr> limits;
+    for (const model::Contact& contact : model_.contacts) {
+      const auto known = model_.symbols.find(contact.name.text + ".reaction");
+      limits.push_back(known == model_.symbols.end() ? number(0)
+                                                     : ir::partial(limit, symbols_.reactions[known->second.index]));
+    }
+    return limits;
+  }
 
   ConstraintRow empty_row(const model::Constraint& constraint) const {
     return {constraint.name.text,

@@ -97,6 +97,13 @@ struct BodyLoad {
   ir::Vector3 moment;  ///< N m, space, about the mass centre
 };
 
+/// What impulses of contacts and dry friction are made of, where none of them acts (theory.md, section 11).
+struct SwitchRows {
+  std::vector<ConstraintRow> contacts;                ///< parallel to Model::contacts
+  std::vector<std::vector<ConstraintRow>> frictions;  ///< parallel to Model::frictions: their slips
+  std::vector<std::vector<ir::Expr>> limits;          ///< of each friction, per reaction of each contact
+};
+
 /// What follows from positions and velocities. Jacobians, of which there are as many as pairs of bodies and coordinates, are
 /// formed where they are asked for.
 struct Kinematics {
@@ -122,6 +129,7 @@ struct Kinematics {
   support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
   std::vector<std::vector<ir::Expr>> quantities;            ///< parallel to Model::quantities
   std::vector<ir::Expr> guards;                             ///< parallel to Model::guards
+  SwitchRows switches;                                      ///< of a ground regime
   std::vector<BodyLoad> loads;                              ///< of bodies
   support::Lazy<ir::Expr> other_potential;                  ///< J; without fields
 

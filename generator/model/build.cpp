@@ -53,6 +53,7 @@ void read_sections(const spec::Node& root, Reading& reading) {
 std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics, const Choices& choices) {
   Reading reading{source, diagnostics, {}};
   reading.choices = choices;
+  reading.model.is_ground = choices.is_ground;
   reading.model.file = base_name(source.name());
   reading.model.symbols["t"] = {SymbolKind::time, 0};
   reading.model.symbols["pi"] = {SymbolKind::pi, 0};

@@ -26,6 +26,7 @@ struct Choices {
   GivenCounts counts = {};
   GivenEffects effects = {};
   GivenRegime regime = {};
+  bool is_ground = false;  ///< contacts are open and friction is left out, where `regime` does not say otherwise
 };
 
 /// A mode is given of what the model does not have, or one that it does not take: likewise a mistake outside the file.

@@ -258,7 +258,7 @@ struct Friction {
 };
 
 /// What a switch of the model does in the regime that was read.
-enum class Mode { open, closed, sticks, slides, forwards, backwards, holds, broken };
+enum class Mode { open, closed, sticks, slides, forwards, backwards, free, holds, broken };
 
 /// As scenes and emitted code call it.
 std::string name_of(Mode mode);
@@ -384,6 +384,7 @@ struct Model {
   std::vector<Constraint> constraints;
   std::vector<Contact> contacts;
   std::vector<DryFriction> frictions;
+  bool is_ground = false;                  ///< contacts are open and friction is left out
   std::vector<std::string> broken;         ///< rows that are no more in the regime that was read
   std::vector<Guard> guards;               ///< of the regime that was read
   std::vector<Constraint> idle_slips;      ///< directions of `rolls` in which the motion is held anyway

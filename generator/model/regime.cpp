@@ -13,8 +13,9 @@ namespace gaussgen::model {
 namespace {
 
 constexpr std::pair<Mode, const char*> k_names[] = {
-    {Mode::open, "open"},         {Mode::closed, "closed"},       {Mode::sticks, "sticks"}, {Mode::slides, "slides"},
-    {Mode::forwards, "forwards"}, {Mode::backwards, "backwards"}, {Mode::holds, "holds"},   {Mode::broken, "broken"}};
+    {Mode::open, "open"},     {Mode::closed, "closed"},     {Mode::sticks, "sticks"},
+    {Mode::slides, "slides"}, {Mode::forwards, "forwards"}, {Mode::backwards, "backwards"},
+    {Mode::free, "free"},     {Mode::holds, "holds"},       {Mode::broken, "broken"}};
 
 /// Only such terms are in it that contain the reaction of an open contact.
 bool vanishes(const Ast& ast, const Model& model) {
@@ -129,10 +130,11 @@ bool is_reaction_of_open_contact(const std::string& symbol, const Model& model) 
 void take_friction(DryFriction friction, Force force, Reading& reading) {
   Model& model = reading.model;
   const std::size_t count = friction.law.slips.size();
-  const std::vector<Mode> one{Mode::sticks, Mode::forwards, Mode::backwards};
-  friction.mode =
-      mode_of(friction.name.text, count == 1 ? one : std::vector<Mode>{Mode::sticks, Mode::slides}, reading);
-  friction.is_idle = vanishes(friction.law.limit, model);
+  std::vector<Mode> modes{Mode::sticks, Mode::slides, Mode::free};
+  if (count == 1) modes = {Mode::sticks, Mode::forwards, Mode::backwards, Mode::free};
+  if (reading.choices.is_ground) std::rotate(modes.begin(), modes.end() - 1, modes.end());
+  friction.mode = mode_of(friction.name.text, modes, reading);
+  friction.is_idle = friction.mode == Mode::free || vanishes(friction.law.limit, model);
   for (std::size_t i = 0; i < count; ++i) {
     model.symbols[fmt::format("{}.slip{}", friction.name.text, i + 1)] = {SymbolKind::slip,
                                                                           2 * model.frictions.size() + i};
