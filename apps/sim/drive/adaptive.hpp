@@ -19,6 +19,7 @@ class Adaptive final : public Integrator<S> {
       : size_(start.size()), simulation_(Model(model), inside(start), t, settings) {}
 
   bool advance_to(const S& end) override { return simulation_.advance_to(end); }
+  bool step_towards(const S& end) override { return simulation_.step_towards(end); }
   S time() const override { return simulation_.time(); }
   const Array& state() const override {
     const typename Model::State inner = simulation_.state();

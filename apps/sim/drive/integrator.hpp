@@ -68,6 +68,8 @@ class Integrator {
 
   /// False: it did not get there, and `progress` says why.
   virtual bool advance_to(const S& end) = 0;
+  /// One step, not beyond `end`, where the method tells its steps; else all the way there.
+  virtual bool step_towards(const S& end) { return advance_to(end); }
   virtual S time() const = 0;
   /// Until it advances.
   virtual const Array& state() const = 0;

@@ -22,6 +22,7 @@ struct MethodInfo {
   bool sees_jumps = true;   ///< of forces, within a step: its estimate of the error does not always, where it is false
   bool has_long_double = true, has_float = false, has_float128 = false;
   bool ends_at_samples = true;     ///< a step each; else it knows the motion within its steps
+  bool tells_steps = false;        ///< can be asked for one step at a time, so that events are found within
   bool is_separable = false;       ///< takes only models whose accelerations depend on coordinates alone
   std::vector<std::string> takes;  ///< outputs of the generator, where a model has them
   std::string about;

@@ -27,6 +27,11 @@ MethodInfo in_float128(MethodInfo result) {
   return result;
 }
 
+MethodInfo stepwise(MethodInfo result) {
+  result.tells_steps = true;
+  return result;
+}
+
 MethodInfo blind(MethodInfo result) {
   result.sees_jumps = false;
   return result;
@@ -65,16 +70,20 @@ std::vector<Method> of_everywhere() {
                                 "power series of the motion, of an order that suits the tolerance; knows the "
                                 "motion within its steps: the default"))))),
           make_taylor),
-      GAUSS_SIM_METHOD_IN_FLOAT(info("prince87", "Odeint", 8,
-                                     "pair of order 8 (7) of Prince and Dormand: the default where there is no series"),
-                                make_prince87),
-      GAUSS_SIM_METHOD(blind(info("fehlberg78", "Odeint", 8, "pair of order 7 (8) of Fehlberg, taken at order 8")),
-                       make_fehlberg78),
       GAUSS_SIM_METHOD_IN_FLOAT(
-          in_float128(info("dopri5", "Odeint", 5,
-                           "pair of order 5 (4) of Dormand and Prince: few digits, cheaply; forces that jump")),
+          stepwise(info("prince87", "Odeint", 8,
+                        "pair of order 8 (7) of Prince and Dormand: the default where there is no series")),
+          make_prince87),
+      GAUSS_SIM_METHOD(
+          stepwise(blind(info("fehlberg78", "Odeint", 8, "pair of order 7 (8) of Fehlberg, taken at order 8"))),
+          make_fehlberg78),
+      GAUSS_SIM_METHOD_IN_FLOAT(
+          stepwise(
+              in_float128(info("dopri5", "Odeint", 5,
+                               "pair of order 5 (4) of Dormand and Prince: few digits, cheaply; forces that jump"))),
           make_dopri5),
-      GAUSS_SIM_METHOD(info("cash_karp54", "Odeint", 5, "pair of order 5 (4) of Cash and Karp"), make_cash_karp54),
+      GAUSS_SIM_METHOD(stepwise(info("cash_karp54", "Odeint", 5, "pair of order 5 (4) of Cash and Karp")),
+                       make_cash_karp54),
       GAUSS_SIM_METHOD(
           blind(in_float128(of_orders(
               4, info("bulirsch_stoer", "Odeint", 16, "extrapolation of the midpoint rule: long steps, many digits")))),

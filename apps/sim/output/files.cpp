@@ -18,6 +18,10 @@ std::string summary_path(const std::string& csv) {
   return std::filesystem::path(csv).replace_extension(".json").string();
 }
 
+std::string events_path(const std::string& csv) {
+  return std::filesystem::path(csv).replace_extension(".events.csv").string();
+}
+
 void check_writable(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code error;

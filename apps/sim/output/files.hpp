@@ -9,6 +9,9 @@ namespace gausssim {
 /// Beside its table.
 std::string summary_path(const std::string& csv);
 
+/// What happened on the way, of a model with regimes.
+std::string events_path(const std::string& csv);
+
 /// Makes the folder of a file that is to be written at the end, and throws cli::FileError where the file could not be: before anything is computed.
 void check_writable(const std::string& path);
 

@@ -124,6 +124,27 @@ int say_why_it_stops(const FinishedRun& finished, bool has_new_rows, const cli::
       cli::k_motion_stopped, messages, hint);
 }
 
+/// How often each of them was; those that were most often first.
+std::string events_in_words(const Simulated& run) {
+  if (run.events.empty()) return "none";
+  std::vector<std::pair<std::string, long>> counts;
+  for (const Event& event : run.events) {
+    const auto known =
+        std::find_if(counts.begin(), counts.end(), [&](const auto& one) { return one.first == event.what; });
+    if (known == counts.end())
+      counts.emplace_back(event.what, 1);
+    else
+      ++known->second;
+  }
+  std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  constexpr std::size_t k_most = 6;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(counts.size(), k_most); ++i)
+    text += fmt::format("{}{}{}", i == 0 ? "" : ", ", counts[i].first,
+                        counts[i].second > 1 ? fmt::format(" {} times", counts[i].second) : "");
+  return counts.size() > k_most ? text + ", ..." : text;
+}
+
 }  // namespace
 
 void tell(const FinishedRun& finished) {
@@ -135,8 +156,8 @@ void tell(const FinishedRun& finished) {
       fmt::format("{}: {:.6g} s by {} ({}, {}, {}{})\n", prepared.name(), run.reached - prepared.span.start,
                   setting.method, how, setting.number, engine, projection);
   if (prepared.has_effects)
-    text += fmt::format("  effects {}\n",
-                        prepared.effects.empty() ? "none" : gaussgen::support::joined(prepared.effects));
+    text +=
+        fmt::format("  effects {}\n", prepared.effects.empty() ? "none" : gaussgen::support::joined(prepared.effects));
   text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,
                       said(run.wall_seconds));
   text += times.was_cached || times.compile == 0 ? "\n" : fmt::format("; compiled in {} s\n", said(times.compile));
@@ -153,6 +174,7 @@ void tell(const FinishedRun& finished) {
   if (run.drift.has_constraints)
     text += fmt::format("  drift   {} in positions, {} in velocities\n", said(run.drift.positions),
                         said(run.drift.velocities));
+  if (prepared.regimes) text += "  events  " + events_in_words(run) + "\n";
   text += fmt::format("  wrote   {} ({} rows of {} columns) and {}\n", csv, run.samples,
                       prepared.columns.columns.size() + 1, summary_path(csv));
   cli::write_standard_output(text);

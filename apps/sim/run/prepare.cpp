@@ -19,6 +19,7 @@
 #include "model/quaternion_length.hpp"
 #include "pipeline.hpp"
 #include "sim/model/layout.hpp"
+#include "sim/regimes/columns_of_regimes.hpp"
 #include "sim/run/check_choices.hpp"
 #include "sim/run/exact_columns.hpp"
 #include "sim/run/jumps.hpp"
@@ -180,6 +181,8 @@ gaussgen::PipelineOptions pipeline_options(const Request& request, const Scene& 
   options.fold = scene.code && scene.code->text == "folded";
   options.plain = scene.code && scene.code->text == "expanded";
   options.where_possible = request.where_possible;
+  options.choices.is_ground = true;
+  for (const char* const output : {"guards", "impact_system"}) options.where_possible.emplace_back(output);
   options.choices.counts = counts_of(scene);
   for (const Word& word : scene.effects) options.choices.effects.push_back(word.text);
   options.strategy = strategy_of(scene);
@@ -290,6 +293,7 @@ class Preparation {
     for (const model::Effect& effect : read.effects) {
       if (effect.acts) result_.effects.push_back(effect.name.text);
     }
+    switches_ = switches_of(read);
     result_.edge = function_with_edge(read);
     result_.acts_in_time = acts_in_time(read);
     if (const std::string remark = remark_on_edge(); !remark.empty()) remarks_.push_back(remark);
@@ -387,6 +391,17 @@ class Preparation {
     if (result) choose_outputs({result->tree, result->unit});
   }
 
+  /// Of a model with regimes, from which others are derived on the way.
+  void take_regimes() {
+    if (!switches_.any()) return;
+    const auto adjust = [scene = result_.scene, sets = request_.sets](model::Model& read) {
+      Diagnostics ignored;
+      give_values(scene, read, ignored);
+      cli::apply_overrides(sets, read);
+    };
+    result_.regimes = std::make_shared<RegimeSource>(model_text(), options_, adjust, switches_);
+  }
+
   void choose_outputs(const Described& model) {
     const auto everything = [&] {
       auto all = with_all_outputs(model_text(), options_);
@@ -394,13 +409,17 @@ class Preparation {
     };
     const auto& outputs = result_.scene.outputs;
     Diagnostics found;
-    result_.columns = choose_columns(model, outputs, found, everything);
+    result_.columns = result_.regimes ? columns_of_regimes(model, outputs, *result_.regimes, found, everything)
+                                      : choose_columns(model, outputs, found, everything);
     const bool are_options = !outputs.empty() && is_of_option(outputs.front().span);
     std::string wrong;
     for (const auto& one : found.all())
       wrong += fmt::format("{}--outputs: {}; {}", wrong.empty() ? "" : "\n", one.message, one.hint);
     if (found.has_errors() && are_options) throw cli::UsageError(wrong);
     for (const auto& one : found.all()) in_scene_.add(one);
+    if (result_.regimes) {
+      for (Column& column : result_.columns.columns) column.is_conserved = false;
+    }
     check_exact(result_.scene, result_.columns, parameters_, in_scene_);
   }
 
@@ -415,6 +434,7 @@ class Preparation {
     result_.series_operations = operations_of(compiled, "taylor");
     result_.model_text = model_text().text();
     result_.model = {std::move(compiled.tree), std::move(compiled.unit)};
+    take_regimes();
     choose_outputs(result_.model);
     if (report_mistakes()) return false;
     warn();
@@ -432,6 +452,7 @@ class Preparation {
   std::vector<std::string> remarks_;  ///< said once, however often the model is derived
   std::vector<std::string> unused_;   ///< of what options say
   std::vector<model::ClosedForm> closed_forms_;
+  Switches switches_;
   PreparedModel result_;
   int exit_code_ = cli::k_ok;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "model/model.hpp"
 #include "sim/engine/binding.hpp"
 #include "sim/output/columns.hpp"
+#include "sim/regimes/regime_source.hpp"
 #include "sim/run/times.hpp"
 #include "sim/scene/scene.hpp"
 
@@ -47,7 +49,9 @@ struct PreparedModel {
   bool acts_in_time = false;        ///< what acts is a function of time, too
   std::string edge;                 ///< a function in what acts that jumps or has a kink; empty: all of it is smooth
   std::array<double, 3> gravity{};  ///< m/s², space: the sum of uniform fields at the start
-  bool wants_gains = false;         ///< the projection `gains` may be asked for
+  std::shared_ptr<RegimeSource>
+      regimes;               ///< of a model whose contacts, friction or links change their modes; else null
+  bool wants_gains = false;  ///< the projection `gains` may be asked for
 
   /// Of the scene, else of the model: names files and problems.
   const std::string& name() const { return scene.name.empty() ? model.unit.model_name : scene.name; }

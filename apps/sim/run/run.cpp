@@ -34,6 +34,12 @@ void warn_of_tolerance(const Setting& setting, const cli::MessageOptions& messag
               messages);
 }
 
+std::string events_csv(const std::vector<Event>& events) {
+  std::string text = "t [s],event,impulse [N*s]\n";
+  for (const Event& event : events) text += fmt::format("{},{},{}\n", event.t, event.what, event.impulse);
+  return text;
+}
+
 /// How a run is made.
 struct Choice {
   Setting setting;
@@ -60,7 +66,8 @@ class Run {
       return cli::k_ok;
     }
     CsvFile file(csv_);
-    if (!earlier_ && !choice_.found) rounding_.emplace(prepared_, *choice_.engine, choice_.setting);
+    if (!earlier_ && !choice_.found && !prepared_.regimes)
+      rounding_.emplace(prepared_, *choice_.engine, choice_.setting);
     const Simulated run = write_rows(file);
     // There was no motion at all, so there is no table of one.
     if (!run.why.empty() && run.samples == 0) {
@@ -73,6 +80,7 @@ class Run {
     const std::string text = summary_of(finished);
     file.finish();
     if (csv_ != "-") cli::Replacement(summary_path(csv_), text).commit();
+    if (csv_ != "-" && prepared_.regimes) cli::Replacement(events_path(csv_), events_csv(run.events)).commit();
     if (!options_.quiet && csv_ != "-") tell(finished);
     return report_end(finished, run.samples > (earlier_ ? earlier_->run.samples : 1), options_.messages);
   }

@@ -36,6 +36,7 @@ LongestSteps longest_steps(const PreparedModel& prepared, double lengthened) {
 }
 
 std::string default_method(const PreparedModel& prepared, const Engine& engine, const std::string& number) {
+  if (prepared.regimes) return k_method_of_any_model;
   const bool has_series = static_cast<bool>(engine.find("series_begin", scalar_of(number)));
   // A root of a square has series, on one side.
   if (find_function(prepared.model.tree, "taylor") != nullptr && has_series && prepared.edge.empty()) return "taylor";
@@ -85,7 +86,8 @@ Setting default_setting(const PreparedModel& prepared, const Engine& engine) {
 Setting by_other_terms(const Setting& setting, const PreparedModel& prepared) {
   constexpr int k_more = 4;
   Setting other = setting;
-  if (!prepared.edge.empty() && setting.method != "taylor") {
+  const bool has_edges = !prepared.edge.empty() || prepared.regimes;
+  if (has_edges && setting.method != "taylor") {
     const bool is_same = setting.method == k_method_of_edges;
     other.method = is_same && computes_in(*find_method(k_method_of_any_model), setting.number) ? k_method_of_any_model
                                                                                                : k_method_of_edges;

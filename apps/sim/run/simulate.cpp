@@ -11,6 +11,9 @@
 #include "sim/drive/gains.hpp"
 #include "sim/drive/quad.hpp"
 #include "sim/output/csv.hpp"
+#include "sim/regimes/columns_of_regimes.hpp"
+#include "sim/regimes/hybrid.hpp"
+#include "sim/run/build_engine.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/nudge.hpp"
 #include "sim/run/setting.hpp"
@@ -52,15 +55,15 @@ class Simulator {
         engine_(engine),
         setting_(setting),
         listeners_(listeners),
-        functions_(gausssim::bind<S>(engine, prepared.model, change())),
+        functions_(bound(engine)),
         pulled_(setting.projection == Projection::gains && functions_->gains
                     ? std::make_unique<PulledRates<S>>(*functions_, S(setting.gain))
                     : nullptr),
         model_(functions_),
         grid_(grid_of<S>(prepared.span)),
-        sampler_(engine, prepared.model, prepared.columns, *functions_),
+        sampler_(engine, prepared.model, prepared.regimes ? Columns{} : prepared.columns, *functions_),
         meter_(*functions_, prepared.model),
-        row_(sampler_.size()) {}
+        row_(prepared.columns.columns.size()) {}
 
   Simulated run() {
     Numbers<S> start;
@@ -79,7 +82,9 @@ class Simulator {
     const bool keeps_energy =
         setting_.projection == Projection::energy && why_not_projected(*functions_, Projection::energy).empty();
     if (keeps_energy && earlier_ == nullptr) keep_energy(from, start);
-    const auto integrator = make_integrator(setting_.method, model_, start, from, settings, result_.why);
+    const auto integrator = prepared_.regimes
+                                ? through_regimes(start, from, settings)
+                                : make_integrator(setting_.method, model_, start, from, settings, result_.why);
     if (!integrator) {
       result_.outcome = Outcome::bad_settings;
       return result_;
@@ -97,9 +102,55 @@ class Simulator {
  private:
   S unit() const { return S(rounding_unit(setting_.number)); }
 
+  std::shared_ptr<Functions<S>> bound(const Engine& engine) const {
+    auto functions = gausssim::bind<S>(engine, prepared_.model, change());
+    // Impacts and friction take some of it.
+    if (prepared_.regimes) functions->energy_layout.is_conserved = false;
+    return functions;
+  }
+
   Change<S> change() const {
     if (!setting_.is_nudged) return nullptr;
     return [unit = unit()](std::vector<S>& values) { nudge_given(values, unit); };
+  }
+
+  std::unique_ptr<Integrator<S>> through_regimes(const Numbers<S>& start, const S& from,
+                                                 const MethodSettings<S>& settings) {
+    if (!find_method(setting_.method)->tells_steps) {
+      result_.why = fmt::format(
+          "'{}' does not tell its steps, within which contacts and friction change: take prince87, dopri5 or "
+          "fehlberg78",
+          setting_.method);
+      return nullptr;
+    }
+    const bool is_compiled = std::string(engine_.name()) == "compiled";
+    const auto make = [is_compiled, scalar = scalar_of(setting_.number), &prepared = prepared_](
+                          const Described& model, const Columns& columns) -> std::unique_ptr<const Engine> {
+      PreparedModel regime;
+      regime.model = model;
+      regime.columns = columns;
+      regime.span = prepared.span;
+      EngineTimes times;
+      std::string why;
+      return build_engine(regime, is_compiled ? EngineChoice::automatic : EngineChoice::interpreted, {scalar}, times,
+                          why);
+    };
+    prepared_.regimes->prepare(prepared_.columns.columns, make);
+    auto hybrid = std::make_unique<Hybrid<S>>(prepared_.regimes, start, from,
+                                              typename Hybrid<S>::Setting{setting_.method, settings, change()});
+    hybrid_ = hybrid.get();
+    return hybrid;
+  }
+
+  gauss::Status fill_row(const S& t, const S* state, const S* results) {
+    if (hybrid_ == nullptr) return sampler_(t, state, row_.data(), results);
+    std::fill(row_.begin(), row_.end(), S(0));
+    const gauss::Status status = hybrid_->sample(t, state, row_.data());
+    for (std::size_t i = 0; i < row_.size(); ++i) {
+      const std::string& name = switch_in_column(prepared_.columns.columns[i]);
+      if (!name.empty()) row_[i] = S(number_of_mode(hybrid_->modes().at(name)));
+    }
+    return status;
   }
 
   void go_on(Numbers<S>& start) {
@@ -132,7 +183,7 @@ class Simulator {
 
   bool take(const Sample<S>& sample, const Integrator<S>& integrator) {
     const auto& [k, t, state, results] = sample;
-    const gauss::Status status = sampler_(t, state, row_.data(), results);
+    const gauss::Status status = fill_row(t, state, results);
     if (status != gauss::Status::ok) {
       ++result_.untrusted_samples;
       result_.sample_status = status;
@@ -176,6 +227,10 @@ class Simulator {
     result_.crossings = progress.crossings;
     result_.start_moved = static_cast<double>(progress.start_moved);
     result_.start_component = prepared_.model.component(progress.start_component);
+    if (hybrid_ != nullptr) {
+      result_.events = hybrid_->events();
+      result_.regimes = prepared_.regimes->count();
+    }
     result_.drift = meter_.drift();
     if (result_.drift.has_energy) result_.start_energy = text_of(meter_.start_energy());
     const bool can_go_on = result_.was_interrupted || result_.outcome == Outcome::too_many_steps;
@@ -195,6 +250,7 @@ class Simulator {
   Grid<S> grid_;
   Sampler<S> sampler_;
   DriftMeter<S> meter_;
+  Hybrid<S>* hybrid_ = nullptr;  ///< the integrator of a model with regimes
   std::vector<S> row_;
   Numbers<S> shown_;         ///< state of the last sample
   Progress<S> until_shown_;  ///< and how the run went until then

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/methods/methods.hpp"
+#include "sim/regimes/event.hpp"
 #include "sim/run/drive.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/prepare.hpp"
@@ -51,6 +52,8 @@ struct Simulated {
   long untrusted_samples = 0;  ///< an output had a status that is not ok
   gauss::Status sample_status = gauss::Status::ok;
   Drift drift;
+  std::vector<Event> events;                 ///< of a model with regimes
+  std::size_t regimes = 0;                   ///< that were come to
   double wall_seconds = 0, cpu_seconds = 0;  ///< of the integration, samples included
   std::vector<std::string> last_state;       ///< all digits; of the last sample, where a run can go on from it
   std::string last_row;                      ///< of the table that somebody writes

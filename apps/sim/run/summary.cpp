@@ -81,6 +81,10 @@ std::string summary_of(const FinishedRun& finished) {
     json["from_closed_forms"] = {{"relative", error->value}, {"output", error->output}};
   if (found) json["asked_for"] = asked_json(*found, *prepared.scene.error);
   if (!asked_before.empty()) json["asked_for"] = Json::parse(asked_before);
+  if (prepared.regimes) {
+    json["regimes"] = run.regimes;
+    json["events"] = run.events.size();
+  }
   json["drift"] = drift_json(run.drift);
   if (run.start_moved > 0) json["start_moved"] = {{"by", run.start_moved}, {"component", run.start_component}};
   if (run.with_fewer_constraints > 0) json["steps_with_fewer_constraints"] = run.with_fewer_constraints;

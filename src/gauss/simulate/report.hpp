@@ -16,16 +16,20 @@ enum class Outcome {
   constraints_lost,  ///< projection moves the state by more than errors of steps explain, however short the steps
   interrupted,       ///< Settings::ends said so
   bad_settings,      ///< a setting or the time of the start is no number or out of its range; nothing was integrated
+  no_regime,         ///< contacts and friction leave no motion, as of Painleve's rod
+  too_many_events,   ///< they change without end at one instant
 };
 
 constexpr const char* name(Outcome outcome) noexcept {
-  return outcome == Outcome::running          ? "running"
-         : outcome == Outcome::model_failed   ? "model failed"
-         : outcome == Outcome::step_too_small ? "step too small"
-         : outcome == Outcome::too_many_steps ? "too many steps"
-         : outcome == Outcome::interrupted    ? "interrupted"
-         : outcome == Outcome::bad_settings   ? "bad settings"
-                                              : "constraints lost";
+  return outcome == Outcome::running           ? "running"
+         : outcome == Outcome::model_failed    ? "model failed"
+         : outcome == Outcome::step_too_small  ? "step too small"
+         : outcome == Outcome::too_many_steps  ? "too many steps"
+         : outcome == Outcome::interrupted     ? "interrupted"
+         : outcome == Outcome::bad_settings    ? "bad settings"
+         : outcome == Outcome::no_regime       ? "no regime"
+         : outcome == Outcome::too_many_events ? "too many events"
+                                               : "constraints lost";
 }
 
 template <class Scalar>

@@ -68,6 +68,18 @@ class Simulation {
     return report_.outcome == Outcome::running && t_ == end;
   }
 
+  /// One accepted step, not beyond `end`. False as above, but for the time that it gets to.
+  bool step_towards(const Scalar& end) {
+    if (!(t_ < end)) return t_ == end && report_.outcome == Outcome::running;
+    const long before = report_.steps;
+    while (report_.steps == before && report_.outcome == Outcome::running) {
+      report_.outcome = settings_.before_step(report_.steps);
+      if (report_.outcome == Outcome::running) step_towards(end, [](const Scalar&, const State&, const State&) {});
+    }
+    report_.calls = system_.calls();
+    return report_.outcome == Outcome::running;
+  }
+
   const Scalar& time() const { return t_; }
   State state() const { return Arrays::state_of(x_); }
   /// As it is in force: of one that writes its state in other coordinates from time to time.

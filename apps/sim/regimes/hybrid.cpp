@@ -1,0 +1,644 @@
+#include "sim/regimes/hybrid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gauss/event/crossing.hpp"
+#include "gauss/event/impulse.hpp"
+#include "gauss/scalar/float128.hpp"
+#include "sim/drive/quad.hpp"
+
+namespace gausssim {
+
+using gauss::simulate::Outcome;
+using Kind = gaussgen::model::Guard::Kind;
+
+namespace {
+
+constexpr int k_most_at_once = 100;         ///< events between which no time goes by
+constexpr std::size_t k_most_tried = 4096;  ///< regimes at one instant
+constexpr double k_rest = 1e-8;  ///< of the time since the start: impacts that would end within it are at an end
+
+template <class S>
+S largest_of(const S* values, std::size_t count) {
+  S result = 0;
+  for (std::size_t i = 0; i < count; ++i) result = std::max(result, gauss::event::magnitude_of(values[i]));
+  return result;
+}
+
+template <class S>
+S length_of(const std::vector<S>& v) {
+  S square = 0;
+  for (const S& one : v) square += one * one;
+  return gauss::Math<S>::sqrt(square);
+}
+
+template <class Array, class S>
+Array moved(const Array& x, const Array& rates, const S& dt) {
+  Array result = x;
+  for (std::size_t i = 0; i < x.size(); ++i) result[i] += dt * rates[i];
+  return result;
+}
+
+}  // namespace
+
+template <class S>
+Hybrid<S>::Hybrid(std::shared_ptr<RegimeSource> source, Array start, const S& t, Setting setting)
+    : source_(std::move(source)),
+      setting_(std::move(setting)),
+      t_(t),
+      start_(t),
+      x_(std::move(start)),
+      last_event_(t) {}
+
+template <class S>
+Modes Hybrid<S>::ground_modes() const {
+  Modes modes;
+  const Switches& switches = source_->switches();
+  for (const ContactSwitch& contact : switches.contacts) modes[contact.name] = "open";
+  for (const FrictionSwitch& friction : switches.frictions) modes[friction.name] = "free";
+  for (const std::string& link : switches.links) modes[link] = broken_.count(link) > 0 ? "broken" : "holds";
+  return modes;
+}
+
+template <class S>
+Regime<S>* Hybrid<S>::regime_at(const Modes& modes, std::string& why) {
+  const auto [place, is_new] = regimes_.try_emplace(modes);
+  if (is_new) {
+    if (auto model = source_->at(modes, why))
+      place->second = std::make_unique<Regime<S>>(std::move(model), setting_.change);
+  }
+  return place->second.get();
+}
+
+template <class S>
+Regime<S>* Hybrid<S>::ground() {
+  std::string why;
+  Regime<S>* const found = regime_at(ground_modes(), why);
+  if (found == nullptr) stop(Outcome::no_regime, why);
+  return found;
+}
+
+template <class S>
+void Hybrid<S>::stop(Outcome outcome, std::string why) {
+  outcome_ = outcome;
+  why_ = std::move(why);
+}
+
+template <class S>
+void Hybrid<S>::note(const std::string& what, double impulse) {
+  events_.push_back({static_cast<double>(t_), what, impulse});
+}
+
+template <class S>
+Progress<S> Hybrid<S>::progress() const {
+  Progress<S> result = before_;
+  if (inner_) {
+    const Progress<S> own = inner_->progress();
+    result.outcome = own.outcome;
+    result.status = own.status;
+    result.why = own.why;
+    result.steps += own.steps;
+    result.rejected += own.rejected;
+    result.calls += own.calls;
+    result.jacobians += own.jacobians;
+    result.with_fewer_constraints += own.with_fewer_constraints;
+    result.crossings += own.crossings;
+  }
+  if (outcome_ != Outcome::running) {
+    result.outcome = outcome_;
+    result.why = why_;
+  }
+  return result;
+}
+
+template <class S>
+bool Hybrid<S>::advance_to(const S& end) {
+  if (!is_started_ && !start()) return false;
+  while (t_ < end && outcome_ == Outcome::running) step(end);
+  return outcome_ == Outcome::running && t_ == end;
+}
+
+/// Of contacts and slips at the present state, without friction and with all contacts open.
+template <class S>
+bool Hybrid<S>::look(Standing& standing) {
+  Regime<S>* const free = ground();
+  if (free == nullptr) return false;
+  const Switches& switches = source_->switches();
+  const std::size_t n = free->functions().n_v, l = free->model().unit.constraints.size();
+  const std::size_t contacts = switches.contacts.size(), frictions = switches.frictions.size();
+  std::size_t slips = 0;
+  for (const FrictionSwitch& friction : switches.frictions) slips += friction.slips;
+  const std::size_t rows = l + contacts + slips;
+  const bool has_limits = contacts > 0 && frictions > 0;
+  standing = Standing{};
+  standing.filled.assign(n * n + rows * n + rows + contacts + (has_limits ? contacts * frictions : 0), S(0));
+  if (contacts + frictions == 0) return true;
+  if (!free->impact_system(t_, x_, standing.filled)) {
+    stop(Outcome::model_failed, "contacts and slips have no value here");
+    return false;
+  }
+  const S* const rates = standing.filled.data() + n * n + rows * n;
+  standing.gap_rates.assign(rates + l, rates + l + contacts);
+  standing.gaps.assign(rates + rows, rates + rows + contacts);
+  const S* next = rates + l + contacts;
+  for (const FrictionSwitch& friction : switches.frictions) {
+    standing.slips.emplace_back(next, next + friction.slips);
+    next += friction.slips;
+  }
+  return true;
+}
+
+template <class S>
+bool Hybrid<S>::start() {
+  is_started_ = true;
+  Standing standing;
+  if (!look(standing)) return false;
+  const Switches& switches = source_->switches();
+  Regime<S>* const free = ground();
+  const std::size_t n_q = free->functions().n_q;
+  const S size = std::max(S(1e-3), largest_of(x_.data(), n_q));
+  std::set<std::string> closing;
+  for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
+    const std::string& name = switches.contacts[c].name;
+    if (standing.gaps[c] < -S(1e-9) * size) {
+      stop(Outcome::no_regime, fmt::format("the contact '{}' begins with a gap of {:.3g}: what touches overlaps", name,
+                                           static_cast<double>(standing.gaps[c])));
+      return false;
+    }
+    if (standing.gaps[c] > S(1e-9) * size) continue;
+    closed_.insert(name);
+    if (standing.gap_rates[c] < -S(1e-10) * largest_of(x_.data() + n_q, x_.size() - n_q)) closing.insert(name);
+  }
+  modes_ = ground_modes();
+  if (!closing.empty()) hit(closing);
+  return outcome_ == Outcome::running && settle({});
+}
+
+/// Impulses on all that touches, and rest where impacts would follow each other without end.
+template <class S>
+void Hybrid<S>::hit(const std::set<std::string>& closing) {
+  Standing standing;
+  if (!look(standing)) return;
+  const Switches& switches = source_->switches();
+  Regime<S>* const free = ground();
+  const std::size_t n = free->functions().n_v, n_q = free->functions().n_q, l = free->model().unit.constraints.size();
+  gauss::event::ImpactProblem<S> problem;
+  problem.speeds = n;
+  problem.constraints = l;
+  const S* next = standing.filled.data();
+  problem.metric.assign(next, next + n * n);
+  next += n * n;
+  std::size_t rows = l + switches.contacts.size();
+  for (const FrictionSwitch& friction : switches.frictions) {
+    problem.slips.push_back(friction.slips);
+    rows += friction.slips;
+  }
+  problem.rows.assign(next, next + rows * n);
+  next += rows * n;
+  problem.rates.assign(next, next + rows);
+  next += rows + switches.contacts.size();
+  problem.limits.assign(next, static_cast<const S*>(standing.filled.data()) + standing.filled.size());
+  for (const ContactSwitch& contact : switches.contacts) {
+    problem.restitution.push_back(S(contact.restitution));
+    problem.takes_part.push_back(closed_.count(contact.name) > 0 || closing.count(contact.name) > 0 ? 1 : 0);
+  }
+  // How long the impacts that would follow take: a geometric series of flights.
+  const S dt = S(1e-7) * std::max(S(t_ - last_event_), S(1e-7));
+  const Array later = moved(x_, free->rates(t_, x_), dt);
+  Standing then;
+  then.filled.assign(standing.filled.size(), S(0));
+  free->impact_system(t_ + dt, later, then.filled);
+  const S* const rates_then = then.filled.data() + n * n + rows * n;
+  for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
+    const S e = problem.restitution[c], before = problem.rates[l + c];
+    if (problem.takes_part[c] == 0 || !(e > S(0)) || !(e < S(1)) || !(before < S(0))) continue;
+    const S acceleration = (rates_then[l + c] - before) / dt;
+    if (!(acceleration < S(0))) continue;
+    const S rest = 2 * e * before / acceleration / (S(1) - e);
+    if (rest < S(k_rest) * (t_ - start_) || rest < 64 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(t_))
+      problem.restitution[c] = S(0);
+  }
+  const gauss::event::Impulses<S> found = gauss::event::ImpactSolver<S>(problem).solve();
+  if (!found.is_found) return stop(Outcome::no_regime, "no impulses satisfy the law of this impact");
+  for (std::size_t i = 0; i < n; ++i) x_[n_q + i] += found.changes[i];
+  for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
+    const std::string& name = switches.contacts[c].name;
+    if (closing.count(name) > 0) note(name + " hits", static_cast<double>(found.impulses[l + c]));
+  }
+}
+
+template <class S>
+std::vector<S> Hybrid<S>::slip_accelerations(const Modes& modes, const std::string& friction, const Array& x) {
+  std::string why;
+  Modes without = modes;
+  without[friction] = "free";
+  Regime<S>* const regime = regime_at(without, why);
+  Regime<S>* const sliding = regime_at(modes, why);
+  if (regime == nullptr || sliding == nullptr) return {};
+  const S dt = S(1e-6) * std::max(S(t_ - last_event_), S(1e-3));
+  const Array rates = regime->rates(t_, x);
+  const std::vector<S> now = sliding->guard_values(t_, x), then = sliding->guard_values(t_ + dt, moved(x, rates, dt));
+  std::vector<S> result;
+  for (std::size_t g = 0; g < now.size(); ++g) {
+    const GuardOf& guard = sliding->guards()[g];
+    if (guard.of == friction && guard.kind == Kind::slip) result.push_back((then[g] - now[g]) / dt);
+  }
+  return result;
+}
+
+/// Whether a regime goes on from here for some time. `x` becomes the state in it.
+template <class S>
+bool Hybrid<S>::is_consistent(const Modes& modes, const std::set<std::string>& open_at_rest, Array& x,
+                              std::string& why) {
+  Regime<S>* const regime = regime_at(modes, why);
+  if (regime == nullptr) return false;
+  x = x_;
+  if (!regime->project(t_, x)) return why = "no state is near that satisfies its constraints", false;
+  const std::vector<S> now = regime->guard_values(t_, x);
+  const Array rates = regime->rates(t_, x);
+  const S dt = S(1e-7) * std::max(S(t_ - last_event_), S(1e-3));
+  const std::vector<S> then = regime->guard_values(t_ + dt, moved(x, rates, dt));
+  S press = 0;
+  const auto& guards = regime->guards();
+  for (std::size_t g = 0; g < now.size(); ++g)
+    if (guards[g].kind == Kind::falls && modes.at(guards[g].of) == "closed")
+      press = std::max(press, gauss::event::magnitude_of(now[g]));
+  const std::size_t n_q = regime->functions().n_q;
+  const S size = largest_of(rates.data() + n_q, rates.size() - n_q);
+  for (std::size_t g = 0; g < now.size(); ++g) {
+    const GuardOf& guard = guards[g];
+    const std::string& mode = modes.at(guard.of);
+    const S change = (then[g] - now[g]) / dt;
+    if (!(now[g] == now[g])) return why = fmt::format("'{}' has no value", guard.name), false;
+    if (mode == "closed" && now[g] < -S(1e-9) * press) return why = fmt::format("'{}' would pull", guard.of), false;
+    if (mode == "sticks" && now[g] < S(0)) return why = fmt::format("'{}' cannot hold it", guard.of), false;
+    if (mode == "holds" && now[g] < S(0)) return why = fmt::format("'{}' breaks", guard.of), false;
+    const bool is_resting = guard.kind == Kind::rate_of_gap && open_at_rest.count(guard.of) > 0;
+    if (is_resting && change < -S(1e-6) * size) return why = fmt::format("'{}' would overlap", guard.of), false;
+    const bool has_sense = guard.kind == Kind::slip && (mode == "forwards" || mode == "backwards");
+    const S sense = mode == "backwards" ? S(-1) : S(1);
+    const S fastest = largest_of(x.data() + n_q, x.size() - n_q);
+    const bool begins = gauss::event::magnitude_of(now[g]) <= S(1e-10) * fastest;
+    if (has_sense && begins && sense * change < -S(1e-6) * size)
+      return why = fmt::format("'{}' would turn back", guard.of), false;
+    if (has_sense && !begins && sense * now[g] < S(0)) return false;
+  }
+  return true;
+}
+
+/// Which regime goes on from here. `banned`: modes that have just come to their end.
+template <class S>
+bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
+  if (outcome_ != Outcome::running) return false;
+  Standing standing;
+  if (!look(standing)) return false;
+  const Switches& switches = source_->switches();
+  Regime<S>* const free = ground();
+  const std::size_t n_q = free->functions().n_q;
+  const S slow = S(1e-10) * largest_of(x_.data() + n_q, x_.size() - n_q);
+  const auto is_banned = [&](const std::string& name, const std::string& mode) {
+    const auto found = banned.find(name);
+    return found != banned.end() && found->second == mode;
+  };
+  // What may be closed: touches, and does not part.
+  std::vector<std::string> touching;
+  for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
+    const std::string& name = switches.contacts[c].name;
+    if (closed_.count(name) == 0) continue;
+    if (standing.gap_rates[c] > slow) {
+      closed_.erase(name);
+    } else {
+      touching.push_back(name);
+    }
+  }
+  const std::size_t contacts = switches.contacts.size();
+  std::vector<S> limits;
+  if (contacts > 0 && !switches.frictions.empty())
+    limits.assign(standing.filled.end() - static_cast<std::ptrdiff_t>(contacts * switches.frictions.size()),
+                  standing.filled.end());
+  std::string why;
+  std::size_t tried = 0;
+  const std::size_t choices = touching.size() < 12 ? std::size_t(1) << touching.size() : 0;
+  for (std::size_t choice = 0; choice < std::max<std::size_t>(choices, 1); ++choice) {
+    Modes modes = ground_modes();
+    std::set<std::string> open_at_rest;
+    bool is_allowed = true;
+    for (std::size_t k = 0; k < touching.size(); ++k) {
+      const bool opens = (choice >> k & 1U) != 0;
+      modes[touching[k]] = opens ? "open" : "closed";
+      if (opens) open_at_rest.insert(touching[k]);
+      is_allowed = is_allowed && !is_banned(touching[k], modes[touching[k]]);
+    }
+    if (!is_allowed) continue;
+    // Frictions that act, and how they may.
+    std::vector<std::pair<std::string, std::vector<std::string>>> open;
+    for (std::size_t f = 0; f < switches.frictions.size(); ++f) {
+      const FrictionSwitch& friction = switches.frictions[f];
+      bool is_of_contacts = false, acts = false;
+      for (std::size_t c = 0; c < contacts; ++c) {
+        if (!(gauss::event::magnitude_of(limits[f * contacts + c]) > S(0))) continue;
+        is_of_contacts = true;
+        acts = acts || modes.at(switches.contacts[c].name) == "closed";
+      }
+      if (is_of_contacts && !acts) continue;
+      const bool slips = length_of(standing.slips[f]) > slow;
+      std::vector<std::string> ways;
+      if (slips) {
+        ways = {friction.sliding(friction.slips == 1 && standing.slips[f][0] < S(0))};
+      } else {
+        ways = {"sticks", friction.sliding(false)};
+        if (friction.slips == 1) ways.emplace_back(friction.sliding(true));
+        ways.erase(std::remove_if(ways.begin(), ways.end(),
+                                  [&](const std::string& way) { return is_banned(friction.name, way); }),
+                   ways.end());
+      }
+      open.emplace_back(friction.name, std::move(ways));
+    }
+    std::vector<std::size_t> at(open.size(), 0);
+    for (bool is_last = false; !is_last && ++tried < k_most_tried;) {
+      for (std::size_t f = 0; f < open.size(); ++f) modes[open[f].first] = open[f].second[at[f]];
+      Array x;
+      if (is_consistent(modes, open_at_rest, x, why)) {
+        const Array before = x_;
+        x_ = x;
+        if (enter(modes)) return true;
+        x_ = before;
+        return false;
+      }
+      is_last = true;
+      for (std::size_t f = 0; f < open.size() && is_last; ++f) {
+        is_last = ++at[f] == open[f].second.size();
+        if (is_last) at[f] = 0;
+      }
+    }
+  }
+  stop(Outcome::no_regime, fmt::format("contacts and friction leave no motion from here on ({})", why));
+  return false;
+}
+
+/// Slip in two directions begins with one: that in which it is driven.
+template <class S>
+bool Hybrid<S>::enter(const Modes& modes) {
+  std::string why;
+  Regime<S>* const regime = regime_at(modes, why);
+  for (const FrictionSwitch& friction : source_->switches().frictions) {
+    if (friction.slips < 2 || modes.at(friction.name) != "slides") continue;
+    Standing standing;
+    if (!look(standing)) return false;
+    std::size_t f = 0;
+    while (source_->switches().frictions[f].name != friction.name) ++f;
+    const std::size_t n_q = regime->functions().n_q, n = regime->functions().n_v;
+    const S fastest = largest_of(x_.data() + n_q, n);
+    if (length_of(standing.slips[f]) > S(1e-10) * fastest) continue;
+    const std::vector<S> driven = slip_accelerations(modes, friction.name, x_);
+    const S size = length_of(driven);
+    if (!(size > S(0))) continue;
+    // The least change of speeds that slips so, and leaves closed contacts and constraints as they are.
+    const std::size_t l = regime->model().unit.constraints.size();
+    (void)l;
+    const std::size_t contacts = source_->switches().contacts.size();
+    const std::size_t of_constraints = ground()->model().unit.constraints.size();
+    std::size_t rows = of_constraints + contacts;
+    std::size_t first = rows;
+    for (std::size_t k = 0; k < source_->switches().frictions.size(); ++k) {
+      if (k < f) first += source_->switches().frictions[k].slips;
+      rows += source_->switches().frictions[k].slips;
+    }
+    std::vector<std::size_t> chosen;
+    for (std::size_t k = 0; k < of_constraints; ++k) chosen.push_back(k);
+    for (std::size_t c = 0; c < contacts; ++c)
+      if (modes.at(source_->switches().contacts[c].name) == "closed") chosen.push_back(of_constraints + c);
+    chosen.push_back(first);
+    chosen.push_back(first + 1);
+    gauss::event::DenseMatrix<S> system(n + chosen.size(), n + chosen.size());
+    std::vector<S> right(n + chosen.size(), S(0));
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) system(i, j) = standing.filled[i * n + j];
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const S entry = standing.filled[n * n + chosen[k] * n + i];
+        system(n + k, i) = entry;
+        system(i, n + k) = entry;
+      }
+    }
+    const S speed = S(1e-12) * std::max(fastest, size);
+    right[n + chosen.size() - 2] = speed * driven[0] / size;
+    right[n + chosen.size() - 1] = speed * driven[1] / size;
+    const std::vector<S> change = gauss::event::solve_dense(std::move(system), std::move(right));
+    for (std::size_t i = 0; i < n; ++i) x_[n_q + i] += change[i];
+  }
+  for (const auto& [name, mode] : modes) {
+    const auto known = modes_.find(name);
+    if (known == modes_.end() || known->second != mode) note(name + " " + mode);
+  }
+  modes_ = modes;
+  regime_ = regime;
+  closed_.clear();
+  for (const ContactSwitch& contact : source_->switches().contacts)
+    if (modes_.at(contact.name) == "closed") closed_.insert(contact.name);
+  if (inner_) {
+    const Outcome none = Outcome::running;
+    before_ = progress();
+    before_.outcome = none;
+    before_.why.clear();
+  }
+  MethodSettings<S> settings = setting_.of_method;
+  inner_ = make_integrator(setting_.method, regime_->motion(), x_, t_, settings, why);
+  if (!inner_) inner_ = make_integrator("prince87", regime_->motion(), x_, t_, settings, why = "");
+  if (!inner_) stop(Outcome::bad_settings, why);
+  return inner_ != nullptr;
+}
+
+/// Slip in two directions is a root of squares, which no step passes: steps end before, and come near by a tenth each.
+template <class S>
+S Hybrid<S>::cap(const S& end) const {
+  S result = end;
+  for (const FrictionSwitch& friction : source_->switches().frictions) {
+    if (friction.slips < 2 || modes_.at(friction.name) != "slides") continue;
+    const S dt = S(1e-7) * std::max(S(t_ - last_event_), S(1e-6));
+    const std::vector<S> now = regime_->guard_values(t_, x_);
+    const std::vector<S> then = regime_->guard_values(t_ + dt, moved(x_, regime_->rates(t_, x_), dt));
+    S square = 0, falling = 0;
+    for (std::size_t g = 0; g < now.size(); ++g) {
+      const GuardOf& guard = regime_->guards()[g];
+      if (guard.of != friction.name || guard.kind != Kind::slip) continue;
+      square += now[g] * now[g];
+      falling -= now[g] * (then[g] - now[g]) / dt;
+    }
+    if (falling > S(0)) result = std::min(result, S(t_ + S(0.9) * square / falling));
+  }
+  return result;
+}
+
+/// True where slip in two directions has come to its end.
+template <class S>
+bool Hybrid<S>::ends_slip(const S& end) {
+  const S target = cap(end);
+  const bool is_near = target < end && target - t_ <= S(1e-13) * (t_ - last_event_);
+  const bool has_digits = target - t_ > 16 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(t_);
+  return target < end && (is_near || !has_digits);
+}
+
+template <class S>
+std::vector<typename Hybrid<S>::Watched> Hybrid<S>::watched() const {
+  std::vector<Watched> result;
+  for (std::size_t g = 0; g < regime_->guards().size(); ++g) {
+    const GuardOf& guard = regime_->guards()[g];
+    const std::string& mode = modes_.at(guard.of);
+    if (guard.kind == Kind::falls) result.push_back({g, S(1)});
+    if (guard.kind == Kind::slip && (mode == "forwards" || mode == "backwards"))
+      result.push_back({g, mode == "backwards" ? S(-1) : S(1)});
+  }
+  return result;
+}
+
+/// Per second. Those of gaps are told; of others, from a look a little later.
+template <class S>
+std::vector<S> Hybrid<S>::guard_rates(const S& t, const Array& x, const std::vector<S>& values) const {
+  std::vector<S> rates(values.size(), S(0));
+  bool are_told = true;
+  for (std::size_t g = 0; g < values.size(); ++g) {
+    const GuardOf& guard = regime_->guards()[g];
+    if (guard.kind == Kind::rate_of_gap) rates[g - 1] = values[g];
+    const bool is_gap = guard.kind == Kind::falls && modes_.at(guard.of) == "open";
+    are_told = are_told && (is_gap || guard.kind == Kind::rate_of_gap);
+  }
+  if (are_told) return rates;
+  const S dt = S(1e-7) * std::max(S(t - last_event_), S(1e-6));
+  const std::vector<S> then = regime_->guard_values(t + dt, moved(x, regime_->rates(t, x), dt));
+  for (std::size_t g = 0; g < values.size(); ++g) {
+    const GuardOf& guard = regime_->guards()[g];
+    if (guard.kind == Kind::falls && modes_.at(guard.of) == "open") continue;
+    rates[g] = (then[g] - values[g]) / dt;
+  }
+  return rates;
+}
+
+template <class S>
+void Hybrid<S>::step(const S& end) {
+  if (ends_slip(end)) return happen({t_, x_, {}, {}}, t_, {});
+  Step from{t_, x_, regime_->guard_values(t_, x_), {}};
+  if (!inner_->step_towards(cap(end))) {
+    const Progress<S> own = inner_->progress();
+    t_ = inner_->time();
+    x_ = inner_->state();
+    return stop(own.outcome == Outcome::running ? Outcome::step_too_small : own.outcome, own.why);
+  }
+  const S t = inner_->time();
+  const Array x = inner_->state();
+  const std::vector<S> values = regime_->guard_values(t, x);
+  from.rates = guard_rates(from.t, from.x, from.values);
+  const std::vector<S> rates = guard_rates(t, x, values);
+  std::optional<S> first;
+  std::vector<std::pair<S, Watched>> found;
+  for (const Watched& one : watched()) {
+    const std::optional<S> at = crossing(from, t, values, rates, one);
+    if (!at) continue;
+    found.emplace_back(*at, one);
+    if (!first || *at < *first) first = *at;
+  }
+  if (!first) {
+    t_ = t;
+    x_ = x;
+    without_time_ = 0;
+    return;
+  }
+  // Those of one instant are one event.
+  const S together =
+      std::max(S(1e-12) * (t - from.t), S(4) * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(*first));
+  std::vector<Watched> fired;
+  for (const auto& [at, one] : found)
+    if (at <= *first + together) fired.push_back(one);
+  happen(from, *first, fired);
+}
+
+/// The time at which a guard falls through 0 within a step.
+template <class S>
+std::optional<S> Hybrid<S>::crossing(const Step& from, const S& t, const std::vector<S>& values,
+                                     const std::vector<S>& rates, const Watched& one) const {
+  const std::size_t g = one.guard;
+  const S h = t - from.t, begin = one.sense * from.values[g], end = one.sense * values[g];
+  const gauss::event::Ends<S> ends{begin, h * one.sense * from.rates[g], end, h * one.sense * rates[g]};
+  const auto value = [&](const S& at) { return value_at(from, at, one); };
+  S high = t, high_value = end;
+  if (!(end < S(0))) {
+    const std::optional<S> part = gauss::event::least_inside(ends);
+    if (!part || !(ends(*part) < S(0))) return std::nullopt;
+    high = from.t + *part * h;
+    high_value = value(high);
+    if (!(high_value < S(0))) return std::nullopt;
+  }
+  // What has just been at 0 is above it for a while, unless it falls at once.
+  S low = from.t, low_value = begin;
+  if (!(low_value > S(0))) {
+    constexpr int k_looks = 40;
+    for (int k = 0; k < k_looks && !(low_value > S(0)); ++k) {
+      const S at = from.t + (high - from.t) / 2;
+      if (!(from.t < at && at < high)) break;
+      const S found = value(at);
+      if (found > S(0)) {
+        low = at;
+        low_value = found;
+      } else {
+        high = at;
+        high_value = found;
+      }
+    }
+    if (!(low_value > S(0))) return from.t;
+  }
+  const S nearness = std::max(S(1e-13) * h, S(2) * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(t));
+  return gauss::event::falls_through(low, low_value, high, high_value, nearness, value);
+}
+
+template <class S>
+std::optional<typename Hybrid<S>::Array> Hybrid<S>::state_at(const Step& from, const S& t) const {
+  if (!(from.t < t)) return from.x;
+  std::string why;
+  const auto again = make_integrator(setting_.method, regime_->motion(), from.x, from.t, setting_.of_method, why);
+  if (!again || !again->advance_to(t)) return std::nullopt;
+  return again->state();
+}
+
+template <class S>
+S Hybrid<S>::value_at(const Step& from, const S& t, const Watched& one) const {
+  const std::optional<Array> x = state_at(from, t);
+  return x ? S(one.sense * regime_->guard_values(t, *x)[one.guard]) : S(std::numeric_limits<double>::quiet_NaN());
+}
+
+template <class S>
+void Hybrid<S>::happen(const Step& from, const S& t, const std::vector<Watched>& fired) {
+  const std::optional<Array> x = state_at(from, t);
+  if (!x) return stop(Outcome::step_too_small, "the instant of an event cannot be found");
+  without_time_ = t_ < t ? 0 : without_time_ + 1;
+  t_ = t;
+  x_ = *x;
+  if (without_time_ > k_most_at_once)
+    return stop(Outcome::too_many_events, "contacts and friction change without end at this instant");
+  std::map<std::string, std::string> banned;
+  std::set<std::string> closing;
+  for (const Watched& one : fired) {
+    const std::string& name = regime_->guards()[one.guard].of;
+    const std::string& mode = modes_.at(name);
+    if (mode == "holds") broken_.insert(name);
+    if (mode == "open") {
+      closing.insert(name);
+      closed_.insert(name);
+    } else {
+      banned[name] = mode;
+    }
+  }
+  if (!closing.empty()) hit(closing);
+  settle(banned);
+  last_event_ = t_;
+}
+
+template class Hybrid<float>;
+template class Hybrid<double>;
+template class Hybrid<long double>;
+template class Hybrid<Quad>;
+
+}  // namespace gausssim

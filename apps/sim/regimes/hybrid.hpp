@@ -1,0 +1,103 @@
+#pragma once
+// A motion through regimes: each is integrated by itself, until a guard of it falls through 0 (docs/regimes.md).
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/drive/integrator.hpp"
+#include "sim/methods/methods.hpp"
+#include "sim/regimes/event.hpp"
+#include "sim/regimes/regime.hpp"
+
+namespace gausssim {
+
+template <class S>
+class Hybrid final : public Integrator<S> {
+ public:
+  using Array = Numbers<S>;
+  struct Setting {
+    std::string method;  ///< for regimes that it takes, else that of any model
+    MethodSettings<S> of_method;
+    Change<S> change;
+  };
+
+  Hybrid(std::shared_ptr<RegimeSource> source, Array start, const S& t, Setting setting);
+
+  bool advance_to(const S& end) override;
+  S time() const override { return t_; }
+  const Array& state() const override { return x_; }
+  Progress<S> progress() const override;
+
+  /// The columns of the run at a state that is in the regime which is in force now.
+  gauss::Status sample(const S& t, const S* x, S* row) { return regime_->sample(t, x, row); }
+
+  const std::vector<Event>& events() const { return events_; }
+  const Modes& modes() const { return modes_; }
+
+ private:
+  /// A step that is being looked at.
+  struct Step {
+    S t;
+    Array x;
+    std::vector<S> values, rates;  ///< of guards
+  };
+  struct Watched {
+    std::size_t guard;
+    S sense;  ///< of a slip that is 0 at the end of its sliding; 1 for others
+  };
+  /// How contacts and friction stand, whatever their modes.
+  struct Standing {
+    std::vector<S> filled;              ///< impact_system
+    std::vector<S> gaps, gap_rates;     ///< of contacts
+    std::vector<std::vector<S>> slips;  ///< of frictions
+  };
+
+  Regime<S>* regime_at(const Modes& modes, std::string& why);
+  bool start();
+  bool enter(const Modes& modes);
+  void step(const S& end);
+  S cap(const S& end) const;
+  std::vector<S> guard_rates(const S& t, const Array& x, const std::vector<S>& values) const;
+  std::vector<Watched> watched() const;
+  std::optional<S> crossing(const Step& from, const S& t, const std::vector<S>& values, const std::vector<S>& rates,
+                            const Watched& one) const;
+  std::optional<Array> state_at(const Step& from, const S& t) const;
+  S value_at(const Step& from, const S& t, const Watched& one) const;
+  void happen(const Step& from, const S& t, const std::vector<Watched>& fired);
+  bool ends_slip(const S& end);
+
+  Regime<S>* ground();
+  bool look(Standing& standing);
+  void hit(const std::set<std::string>& closing);
+  bool settle(const std::map<std::string, std::string>& banned);
+  bool is_consistent(const Modes& modes, const std::set<std::string>& open_at_rest, Array& x, std::string& why);
+  std::vector<S> slip_accelerations(const Modes& modes, const std::string& friction, const Array& x);
+  void stop(gauss::simulate::Outcome outcome, std::string why);
+  void note(const std::string& what, double impulse = 0);
+  Modes ground_modes() const;
+
+  std::shared_ptr<RegimeSource> source_;
+  Setting setting_;
+  std::map<Modes, std::unique_ptr<Regime<S>>> regimes_;
+  std::set<std::string> broken_;
+  std::set<std::string> closed_;  ///< contacts, beside those that open at this instant
+  Modes modes_;
+  Regime<S>* regime_ = nullptr;
+  std::unique_ptr<Integrator<S>> inner_;
+  S t_, start_;
+  Array x_;
+  bool is_started_ = false;
+  Progress<S> before_;  ///< of inner integrators that are no more
+  gauss::simulate::Outcome outcome_ = gauss::simulate::Outcome::running;
+  std::string why_;
+  std::vector<Event> events_;
+  S last_event_ = 0;
+  int without_time_ = 0;  ///< events in a row between which no time went by
+};
+
+}  // namespace gausssim

@@ -1,0 +1,84 @@
+#pragma once
+// A regime with the numbers of a run.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/output/sampler.hpp"
+#include "sim/regimes/regime_source.hpp"
+
+namespace gausssim {
+
+template <class S>
+class Regime {
+ public:
+  /// `change`: of values of parameters and inputs, as `bind` takes it.
+  Regime(std::shared_ptr<const RegimeModel> model, const Change<S>& change)
+      : model_(std::move(model)),
+        engine_(model_->engine->another()),
+        functions_(bind<S>(*engine_, model_->model, change)),
+        motion_(functions_),
+        guards_(bound("guards")),
+        impact_system_(bound("impact_system")),
+        sampler_(*engine_, model_->model, model_->columns, *functions_),
+        row_(sampler_.size()) {}
+
+  const std::vector<GuardOf>& guards() const { return model_->guards; }
+  const Functions<S>& functions() const { return *functions_; }
+  const MotionModel<S>& motion() const { return motion_; }
+  const Engine& engine() const { return *engine_; }
+  const Described& model() const { return model_->model; }
+
+  /// In the order of guards().
+  std::vector<S> guard_values(const S& t, const Numbers<S>& x) const {
+    std::vector<S> values(model_->guards.size(), S(0));
+    if (guards_ && !values.empty()) guards_(t, x.data(), values.data());
+    return values;
+  }
+
+  Numbers<S> rates(const S& t, const Numbers<S>& x) const {
+    Numbers<S> result(x.size(), S(0));
+    functions_->rates(t, x.data(), result.data());
+    return result;
+  }
+
+  /// Onto what holds in it. False: there is no such state near.
+  bool project(const S& t, Numbers<S>& x) const {
+    if (!functions_->projection || !functions_->is_constrained) return true;
+    Numbers<S> found = x;
+    const gauss::Status status = functions_->projection(t, x.data(), found.data());
+    if (!gauss::integrate::is_motion_known(status)) return false;
+    x = found;
+    return true;
+  }
+
+  /// As the generator's `impact_system` fills it; false without one.
+  bool impact_system(const S& t, const Numbers<S>& x, std::vector<S>& filled) const {
+    return impact_system_ && gauss::integrate::is_motion_known(impact_system_(t, x.data(), filled.data()));
+  }
+
+  /// Into the columns of the run that it has; the others are as they were.
+  gauss::Status sample(const S& t, const S* x, S* row) {
+    const gauss::Status status = sampler_(t, x, row_.data());
+    for (std::size_t i = 0; i < row_.size(); ++i) row[model_->in_row[i]] = row_[i];
+    return status;
+  }
+
+ private:
+  Callable<S> bound(const char* function) {
+    Callable<S> found = callable<S>(*engine_, model_->model, function);
+    if (found) found.bind(functions_->prepared.data(), functions_->inputs.data());
+    return found;
+  }
+
+  std::shared_ptr<const RegimeModel> model_;
+  std::unique_ptr<const Engine> engine_;
+  std::shared_ptr<Functions<S>> functions_;
+  MotionModel<S> motion_;
+  Callable<S> guards_, impact_system_;
+  Sampler<S> sampler_;
+  std::vector<S> row_;
+};
+
+}  // namespace gausssim

@@ -1,0 +1,232 @@
+// Impulses at contacts, with friction: Gauss's principle for speeds that jump, with the law of restitution as its constraint
+// (docs/theory.md, section 11).
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_EVENT_IMPULSE_HPP
+#define GAUSS_EVENT_IMPULSE_HPP
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "gauss/event/dense.hpp"
+
+namespace gauss::event {
+
+/// Rows are gradients by the speeds: of constraints first, then of gaps, then of slips of friction.
+template <class S>
+struct ImpactProblem {
+  std::size_t speeds = 0, constraints = 0;
+  std::vector<S> metric;           ///< speeds × speeds
+  std::vector<S> rows;             ///< one after another
+  std::vector<S> rates;            ///< of each row before
+  std::vector<S> restitution;      ///< of each contact
+  std::vector<char> takes_part;    ///< of each contact: it is closed, or closes now
+  std::vector<std::size_t> slips;  ///< of each friction: how many rows it has, 1 or 2
+  std::vector<S> limits;           ///< frictions × contacts: per impulse of the contact
+
+  std::size_t contacts() const { return restitution.size(); }
+  std::size_t count() const { return rates.size(); }
+  std::size_t first_slip(std::size_t friction) const {
+    std::size_t first = constraints + contacts();
+    for (std::size_t f = 0; f < friction; ++f) first += slips[f];
+    return first;
+  }
+};
+
+template <class S>
+struct Impulses {
+  std::vector<S> changes;   ///< of the speeds
+  std::vector<S> impulses;  ///< along each row
+  bool is_found = false;    ///< else no impulses satisfy the law to rounding
+};
+
+/// Moreau's law for all contacts at once: the rate of each gap becomes no less than -e times what it was, and there is an impulse only where it is
+/// that. Friction takes no more than its limit, against what slip is left. The result does not depend on the order of contacts.
+template <class S>
+class ImpactSolver {
+ public:
+  explicit ImpactSolver(const ImpactProblem<S>& problem) : problem_(problem) { form_responses(); }
+
+  Impulses<S> solve() {
+    impulses_.assign(problem_.count(), S(0));
+    relax();
+    Impulses<S> result;
+    result.is_found = settle();
+    result.impulses = impulses_;
+    result.changes.assign(problem_.speeds, S(0));
+    for (std::size_t k = 0; k < problem_.count(); ++k)
+      for (std::size_t i = 0; i < problem_.speeds; ++i) result.changes[i] += impulses_[k] * responses_(k, i);
+    return result;
+  }
+
+ private:
+  /// M⁻¹ rowᵀ of each row, and what each changes of the others.
+  void form_responses() {
+    const std::size_t n = problem_.speeds, m = problem_.count();
+    DenseMatrix<S> metric(n, n);
+    metric.entries = problem_.metric;
+    responses_ = DenseMatrix<S>(m, n);
+    couplings_ = DenseMatrix<S>(m, m);
+    for (std::size_t k = 0; k < m; ++k) {
+      const auto begin = problem_.rows.begin() + static_cast<std::ptrdiff_t>(k * n);
+      const std::vector<S> found = solve_dense(metric, std::vector<S>(begin, begin + static_cast<std::ptrdiff_t>(n)));
+      std::copy(found.begin(), found.end(), responses_.entries.begin() + static_cast<std::ptrdiff_t>(k * n));
+    }
+    for (std::size_t k = 0; k < m; ++k)
+      for (std::size_t j = 0; j < m; ++j)
+        for (std::size_t i = 0; i < n; ++i) couplings_(k, j) += problem_.rows[k * n + i] * responses_(j, i);
+  }
+
+  S rate(std::size_t row) const {
+    S sum = problem_.rates[row];
+    for (std::size_t j = 0; j < problem_.count(); ++j) sum += couplings_(row, j) * impulses_[j];
+    return sum;
+  }
+
+  /// What the rate of a gap is to be, where it has an impulse.
+  S target(std::size_t contact) const {
+    const S before = problem_.rates[problem_.constraints + contact];
+    return before < S(0) ? -problem_.restitution[contact] * before : S(0);
+  }
+
+  S limit(std::size_t friction) const {
+    S sum = 0;
+    for (std::size_t c = 0; c < problem_.contacts(); ++c)
+      sum += problem_.limits[friction * problem_.contacts() + c] * impulses_[problem_.constraints + c];
+    return std::max(sum, S(0));
+  }
+
+  bool may_have_limit(std::size_t friction) const {
+    for (std::size_t c = 0; c < problem_.contacts(); ++c)
+      if (problem_.takes_part[c] != 0 && problem_.limits[friction * problem_.contacts() + c] > S(0)) return true;
+    return false;
+  }
+
+  /// Gauss-Seidel with projections: near enough to tell what has an impulse, and what slips which way.
+  void relax() {
+    constexpr int k_sweeps = 2000;
+    for (int sweep = 0; sweep < k_sweeps; ++sweep) {
+      S moved = 0, size = 0;
+      const auto set = [&](std::size_t row, const S& value) {
+        moved = std::max(moved, magnitude_of(S(value - impulses_[row])));
+        size = std::max(size, magnitude_of(value));
+        impulses_[row] = value;
+      };
+      for (std::size_t k = 0; k < problem_.constraints; ++k)
+        if (couplings_(k, k) > S(0)) set(k, impulses_[k] - (rate(k) - S(0)) / couplings_(k, k));
+      for (std::size_t c = 0; c < problem_.contacts(); ++c) {
+        const std::size_t k = problem_.constraints + c;
+        if (problem_.takes_part[c] == 0 || !(couplings_(k, k) > S(0))) continue;
+        set(k, std::max(S(0), S(impulses_[k] - (rate(k) - target(c)) / couplings_(k, k))));
+      }
+      for (std::size_t f = 0; f < problem_.slips.size(); ++f)
+        if (may_have_limit(f)) relax_friction(f, set);
+      if (!(moved > S(1e-14) * size)) return;
+    }
+  }
+
+  template <class Set>
+  void relax_friction(std::size_t friction, const Set& set) {
+    const std::size_t first = problem_.first_slip(friction), count = problem_.slips[friction];
+    S values[2] = {S(0), S(0)}, square = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = first + i;
+      if (couplings_(k, k) > S(0)) values[i] = impulses_[k] - rate(k) / couplings_(k, k);
+      square += values[i] * values[i];
+    }
+    const S size = Math<S>::sqrt(square), most = limit(friction);
+    const S part = size > most ? most / size : S(1);
+    for (std::size_t i = 0; i < count; ++i) set(first + i, part * values[i]);
+  }
+
+  /// What each row is, from what was found: then impulses follow from linear equations, to rounding.
+  bool settle() {
+    constexpr int k_passes = 40;
+    for (int pass = 0; pass < k_passes; ++pass) {
+      const std::vector<S> before = impulses_;
+      solve_active();
+      S moved = 0, size = 0;
+      for (std::size_t k = 0; k < impulses_.size(); ++k) {
+        moved = std::max(moved, magnitude_of(S(impulses_[k] - before[k])));
+        size = std::max(size, magnitude_of(impulses_[k]));
+      }
+      if (!(moved > 64 * Math<S>::epsilon() * size)) return holds(size);
+    }
+    return holds(S(0));
+  }
+
+  /// The law, with what is left of it beside the largest impulse.
+  bool holds(const S&) const {
+    S fastest = 0;
+    for (const S& one : problem_.rates) fastest = std::max(fastest, magnitude_of(one));
+    const S rounding = S(1e-9) * fastest;
+    for (std::size_t c = 0; c < problem_.contacts(); ++c) {
+      if (problem_.takes_part[c] == 0) continue;
+      if (rate(problem_.constraints + c) < target(c) - rounding) return false;
+    }
+    return true;
+  }
+
+  void solve_active() {
+    const std::size_t m = problem_.count();
+    std::vector<std::size_t> active;
+    for (std::size_t k = 0; k < problem_.constraints; ++k) active.push_back(k);
+    for (std::size_t c = 0; c < problem_.contacts(); ++c)
+      if (problem_.takes_part[c] != 0 && is_pressed(c)) active.push_back(problem_.constraints + c);
+    // Slip that is left has its friction from the contacts: a part of their columns.
+    DenseMatrix<S> by(m, m);
+    for (std::size_t k = 0; k < m; ++k) by(k, k) = S(1);
+    for (std::size_t f = 0; f < problem_.slips.size(); ++f) {
+      if (!may_have_limit(f)) continue;
+      const std::size_t first = problem_.first_slip(f), count = problem_.slips[f];
+      S slip[2] = {S(0), S(0)}, square = 0, taken = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        slip[i] = rate(first + i);
+        square += slip[i] * slip[i];
+        taken += impulses_[first + i] * impulses_[first + i];
+      }
+      const S most = limit(f);
+      const bool sticks = most > S(0) && Math<S>::sqrt(taken) < most * (S(1) - S(1e-9));
+      for (std::size_t i = 0; i < count; ++i) {
+        if (sticks) {
+          active.push_back(first + i);
+          continue;
+        }
+        by(first + i, first + i) = S(0);
+        const S size = Math<S>::sqrt(square);
+        const S direction = size > S(0) ? S(slip[i] / size) : S(0);
+        for (std::size_t c = 0; c < problem_.contacts(); ++c)
+          by(first + i, problem_.constraints + c) = -direction * problem_.limits[f * problem_.contacts() + c];
+      }
+    }
+    DenseMatrix<S> matrix(active.size(), active.size());
+    std::vector<S> right(active.size(), S(0));
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      const std::size_t row = active[i];
+      const bool is_gap = row >= problem_.constraints && row < problem_.constraints + problem_.contacts();
+      right[i] = (is_gap ? target(row - problem_.constraints) : S(0)) - problem_.rates[row];
+      for (std::size_t j = 0; j < active.size(); ++j)
+        for (std::size_t k = 0; k < m; ++k) matrix(i, j) += couplings_(row, k) * by(k, active[j]);
+    }
+    const std::vector<S> found = solve_dense(std::move(matrix), std::move(right));
+    std::vector<S> all(m, S(0));
+    for (std::size_t j = 0; j < active.size(); ++j)
+      for (std::size_t k = 0; k < m; ++k) all[k] += by(k, active[j]) * found[j];
+    impulses_ = all;
+  }
+
+  bool is_pressed(std::size_t contact) const {
+    const std::size_t k = problem_.constraints + contact;
+    S largest = 0;
+    for (const S& one : impulses_) largest = std::max(largest, magnitude_of(one));
+    return impulses_[k] > S(1e-11) * largest;
+  }
+
+  const ImpactProblem<S>& problem_;
+  DenseMatrix<S> responses_, couplings_;
+  std::vector<S> impulses_;
+};
+
+}  // namespace gauss::event
+
+#endif  // GAUSS_EVENT_IMPULSE_HPP
