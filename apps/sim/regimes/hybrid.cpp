@@ -450,6 +450,7 @@ bool Hybrid<S>::enter(const Modes& modes) {
   inner_ = make_integrator(setting_.method, regime_->motion(), x_, t_, settings, why);
   if (!inner_) inner_ = make_integrator("prince87", regime_->motion(), x_, t_, settings, why = "");
   if (!inner_) stop(Outcome::bad_settings, why);
+  watch();
   return inner_ != nullptr;
 }
 
@@ -457,15 +458,14 @@ bool Hybrid<S>::enter(const Modes& modes) {
 template <class S>
 S Hybrid<S>::cap(const S& end) const {
   S result = end;
-  for (const FrictionSwitch& friction : source_->switches().frictions) {
-    if (friction.slips < 2 || modes_.at(friction.name) != "slides") continue;
+  for (const FrictionSwitch* const friction : slipping_) {
     const S dt = S(1e-7) * std::max(S(t_ - last_event_), S(1e-6));
     const std::vector<S> now = regime_->guard_values(t_, x_);
     const std::vector<S> then = regime_->guard_values(t_ + dt, moved(x_, regime_->rates(t_, x_), dt));
     S square = 0, falling = 0;
     for (std::size_t g = 0; g < now.size(); ++g) {
       const GuardOf& guard = regime_->guards()[g];
-      if (guard.of != friction.name || guard.kind != Kind::slip) continue;
+      if (guard.of != friction->name || guard.kind != Kind::slip) continue;
       square += now[g] * now[g];
       falling -= now[g] * (then[g] - now[g]) / dt;
     }
@@ -474,144 +474,145 @@ S Hybrid<S>::cap(const S& end) const {
   return result;
 }
 
-/// True where slip in two directions has come to its end.
+/// What may end the regime that is in force now.
 template <class S>
-bool Hybrid<S>::ends_slip(const S& end) {
-  const S target = cap(end);
-  const bool is_near = target < end && target - t_ <= S(1e-13) * (t_ - last_event_);
-  const bool has_digits = target - t_ > 16 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(t_);
-  return target < end && (is_near || !has_digits);
-}
-
-template <class S>
-std::vector<typename Hybrid<S>::Watched> Hybrid<S>::watched() const {
-  std::vector<Watched> result;
+void Hybrid<S>::watch() {
+  watched_.clear();
+  slipping_.clear();
   for (std::size_t g = 0; g < regime_->guards().size(); ++g) {
     const GuardOf& guard = regime_->guards()[g];
     const std::string& mode = modes_.at(guard.of);
-    if (guard.kind == Kind::falls) result.push_back({g, S(1)});
-    if (guard.kind == Kind::slip && (mode == "forwards" || mode == "backwards"))
-      result.push_back({g, mode == "backwards" ? S(-1) : S(1)});
+    if (guard.kind == Kind::falls) watched_.push_back({g, S(1), mode == "open"});
+    if (guard.kind == Kind::slip && mode != "slides") watched_.push_back({g, S(mode == "backwards" ? -1 : 1), false});
   }
-  return result;
+  for (const FrictionSwitch& friction : source_->switches().frictions) {
+    if (modes_.at(friction.name) == "slides") slipping_.push_back(&friction);
+  }
+  is_from_known_ = false;
 }
 
-/// Per second. Those of gaps are told; of others, from a look a little later.
+/// Rates of gaps are told; those of others follow from a look a little later.
 template <class S>
-std::vector<S> Hybrid<S>::guard_rates(const S& t, const Array& x, const std::vector<S>& values) const {
-  std::vector<S> rates(values.size(), S(0));
+void Hybrid<S>::look_at_guards(Place& place) const {
+  regime_->fill_guards(place.t, place.x, place.values);
+  place.rates.resize(place.values.size());
   bool are_told = true;
-  for (std::size_t g = 0; g < values.size(); ++g) {
-    const GuardOf& guard = regime_->guards()[g];
-    if (guard.kind == Kind::rate_of_gap) rates[g - 1] = values[g];
-    const bool is_gap = guard.kind == Kind::falls && modes_.at(guard.of) == "open";
-    are_told = are_told && (is_gap || guard.kind == Kind::rate_of_gap);
+  for (const Watched& one : watched_) {
+    are_told = are_told && one.is_told;
+    if (one.is_told) place.rates[one.guard] = place.values[one.guard + 1];
   }
-  if (are_told) return rates;
-  const S dt = S(1e-7) * std::max(S(t - last_event_), S(1e-6));
-  const std::vector<S> then = regime_->guard_values(t + dt, moved(x, regime_->rates(t, x), dt));
-  for (std::size_t g = 0; g < values.size(); ++g) {
-    const GuardOf& guard = regime_->guards()[g];
-    if (guard.kind == Kind::falls && modes_.at(guard.of) == "open") continue;
-    rates[g] = (then[g] - values[g]) / dt;
-  }
-  return rates;
+  if (are_told) return;
+  const S dt = S(1e-7) * std::max(S(place.t - last_event_), S(1e-6));
+  const std::vector<S> then = regime_->guard_values(place.t + dt, moved(place.x, regime_->rates(place.t, place.x), dt));
+  for (const Watched& one : watched_)
+    if (!one.is_told) place.rates[one.guard] = (then[one.guard] - place.values[one.guard]) / dt;
 }
 
 template <class S>
 void Hybrid<S>::step(const S& end) {
-  if (ends_slip(end)) return happen({t_, x_, {}, {}}, t_, {});
-  Step from{t_, x_, regime_->guard_values(t_, x_), {}};
-  if (!inner_->step_towards(cap(end))) {
+  const S target = slipping_.empty() ? end : cap(end);
+  if (target < end) {
+    const S least = 16 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(t_);
+    if (target - t_ <= std::max(least, S(S(1e-13) * (t_ - last_event_)))) {
+      from_.t = t_;
+      from_.x = x_;
+      return happen(t_, {});
+    }
+  }
+  if (!is_from_known_) {
+    from_.t = t_;
+    from_.x = x_;
+    look_at_guards(from_);
+    is_from_known_ = true;
+  }
+  if (!inner_->step_towards(target)) {
     const Progress<S> own = inner_->progress();
     t_ = inner_->time();
     x_ = inner_->state();
     return stop(own.outcome == Outcome::running ? Outcome::step_too_small : own.outcome, own.why);
   }
-  const S t = inner_->time();
-  const Array x = inner_->state();
-  const std::vector<S> values = regime_->guard_values(t, x);
-  from.rates = guard_rates(from.t, from.x, from.values);
-  const std::vector<S> rates = guard_rates(t, x, values);
+  to_.t = inner_->time();
+  to_.x = inner_->state();
+  look_at_guards(to_);
   std::optional<S> first;
   std::vector<std::pair<S, Watched>> found;
-  for (const Watched& one : watched()) {
-    const std::optional<S> at = crossing(from, t, values, rates, one);
+  for (const Watched& one : watched_) {
+    const std::optional<S> at = crossing(one);
     if (!at) continue;
     found.emplace_back(*at, one);
     if (!first || *at < *first) first = *at;
   }
   if (!first) {
-    t_ = t;
-    x_ = x;
+    t_ = to_.t;
+    x_ = to_.x;
+    std::swap(from_, to_);
     without_time_ = 0;
     return;
   }
   // Those of one instant are one event.
   const S together =
-      std::max(S(1e-12) * (t - from.t), S(4) * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(*first));
+      std::max(S(S(1e-12) * (to_.t - from_.t)), S(4 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(*first)));
   std::vector<Watched> fired;
   for (const auto& [at, one] : found)
     if (at <= *first + together) fired.push_back(one);
-  happen(from, *first, fired);
+  happen(*first, fired);
 }
 
-/// The time at which a guard falls through 0 within a step.
+/// The time at which a guard falls through 0 within the last step.
 template <class S>
-std::optional<S> Hybrid<S>::crossing(const Step& from, const S& t, const std::vector<S>& values,
-                                     const std::vector<S>& rates, const Watched& one) const {
+std::optional<S> Hybrid<S>::crossing(const Watched& one) const {
   const std::size_t g = one.guard;
-  const S h = t - from.t, begin = one.sense * from.values[g], end = one.sense * values[g];
-  const gauss::event::Ends<S> ends{begin, h * one.sense * from.rates[g], end, h * one.sense * rates[g]};
-  const auto value = [&](const S& at) { return value_at(from, at, one); };
-  S high = t, high_value = end;
+  const S h = to_.t - from_.t, begin = one.sense * from_.values[g], end = one.sense * to_.values[g];
+  const gauss::event::Ends<S> ends{begin, h * one.sense * from_.rates[g], end, h * one.sense * to_.rates[g]};
+  if (ends.are_above()) return std::nullopt;
+  const auto value = [&](const S& at) { return value_at(at, one); };
+  S high = to_.t, high_value = end;
   if (!(end < S(0))) {
     const std::optional<S> part = gauss::event::least_inside(ends);
     if (!part || !(ends(*part) < S(0))) return std::nullopt;
-    high = from.t + *part * h;
+    high = from_.t + *part * h;
     high_value = value(high);
     if (!(high_value < S(0))) return std::nullopt;
   }
   // What has just been at 0 is above it for a while, unless it falls at once.
-  S low = from.t, low_value = begin;
-  if (!(low_value > S(0))) {
-    constexpr int k_looks = 40;
-    for (int k = 0; k < k_looks && !(low_value > S(0)); ++k) {
-      const S at = from.t + (high - from.t) / 2;
-      if (!(from.t < at && at < high)) break;
-      const S found = value(at);
-      if (found > S(0)) {
-        low = at;
-        low_value = found;
-      } else {
-        high = at;
-        high_value = found;
-      }
+  S low = from_.t, low_value = begin;
+  constexpr int k_looks = 40;
+  for (int k = 0; k < k_looks && !(low_value > S(0)); ++k) {
+    const S at = from_.t + (high - from_.t) / 2;
+    if (!(from_.t < at && at < high)) break;
+    const S found = value(at);
+    if (found > S(0)) {
+      low = at;
+      low_value = found;
+    } else {
+      high = at;
+      high_value = found;
     }
-    if (!(low_value > S(0))) return from.t;
   }
-  const S nearness = std::max(S(1e-13) * h, S(2) * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(t));
+  if (!(low_value > S(0))) return from_.t;
+  const S nearness = std::max(S(S(1e-13) * h), S(2 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(to_.t)));
   return gauss::event::falls_through(low, low_value, high, high_value, nearness, value);
 }
 
+/// Within the last step, by steps that end there.
 template <class S>
-std::optional<typename Hybrid<S>::Array> Hybrid<S>::state_at(const Step& from, const S& t) const {
-  if (!(from.t < t)) return from.x;
+std::optional<typename Hybrid<S>::Array> Hybrid<S>::state_at(const S& t) const {
+  if (!(from_.t < t)) return from_.x;
   std::string why;
-  const auto again = make_integrator(setting_.method, regime_->motion(), from.x, from.t, setting_.of_method, why);
+  const auto again = make_integrator(setting_.method, regime_->motion(), from_.x, from_.t, setting_.of_method, why);
   if (!again || !again->advance_to(t)) return std::nullopt;
   return again->state();
 }
 
 template <class S>
-S Hybrid<S>::value_at(const Step& from, const S& t, const Watched& one) const {
-  const std::optional<Array> x = state_at(from, t);
+S Hybrid<S>::value_at(const S& t, const Watched& one) const {
+  const std::optional<Array> x = state_at(t);
   return x ? S(one.sense * regime_->guard_values(t, *x)[one.guard]) : S(std::numeric_limits<double>::quiet_NaN());
 }
 
 template <class S>
-void Hybrid<S>::happen(const Step& from, const S& t, const std::vector<Watched>& fired) {
-  const std::optional<Array> x = state_at(from, t);
+void Hybrid<S>::happen(const S& t, const std::vector<Watched>& fired) {
+  const std::optional<Array> x = state_at(t);
   if (!x) return stop(Outcome::step_too_small, "the instant of an event cannot be found");
   without_time_ = t_ < t ? 0 : without_time_ + 1;
   t_ = t;

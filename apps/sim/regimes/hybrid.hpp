@@ -40,15 +40,16 @@ class Hybrid final : public Integrator<S> {
   const Modes& modes() const { return modes_; }
 
  private:
-  /// A step that is being looked at.
-  struct Step {
-    S t;
+  /// An end of a step.
+  struct Place {
+    S t = 0;
     Array x;
-    std::vector<S> values, rates;  ///< of guards
+    std::vector<S> values, rates;  ///< of guards; rates per second
   };
   struct Watched {
     std::size_t guard;
-    S sense;  ///< of a slip that is 0 at the end of its sliding; 1 for others
+    S sense;       ///< of a slip that is 0 at the end of its sliding; 1 for others
+    bool is_told;  ///< its rate is the guard behind it
   };
   /// How contacts and friction stand, whatever their modes.
   struct Standing {
@@ -62,14 +63,12 @@ class Hybrid final : public Integrator<S> {
   bool enter(const Modes& modes);
   void step(const S& end);
   S cap(const S& end) const;
-  std::vector<S> guard_rates(const S& t, const Array& x, const std::vector<S>& values) const;
-  std::vector<Watched> watched() const;
-  std::optional<S> crossing(const Step& from, const S& t, const std::vector<S>& values, const std::vector<S>& rates,
-                            const Watched& one) const;
-  std::optional<Array> state_at(const Step& from, const S& t) const;
-  S value_at(const Step& from, const S& t, const Watched& one) const;
-  void happen(const Step& from, const S& t, const std::vector<Watched>& fired);
-  bool ends_slip(const S& end);
+  void look_at_guards(Place& place) const;
+  void watch();
+  std::optional<S> crossing(const Watched& one) const;
+  std::optional<Array> state_at(const S& t) const;
+  S value_at(const S& t, const Watched& one) const;
+  void happen(const S& t, const std::vector<Watched>& fired);
 
   Regime<S>* ground();
   bool look(Standing& standing);
@@ -89,6 +88,10 @@ class Hybrid final : public Integrator<S> {
   Modes modes_;
   Regime<S>* regime_ = nullptr;
   std::unique_ptr<Integrator<S>> inner_;
+  std::vector<Watched> watched_;                 ///< guards of the regime that may end it
+  std::vector<const FrictionSwitch*> slipping_;  ///< in two directions
+  Place from_, to_;                              ///< of the last step
+  bool is_from_known_ = false;
   S t_, start_;
   Array x_;
   bool is_started_ = false;

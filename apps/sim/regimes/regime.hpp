@@ -31,9 +31,13 @@ class Regime {
   const Described& model() const { return model_->model; }
 
   /// In the order of guards().
-  std::vector<S> guard_values(const S& t, const Numbers<S>& x) const {
-    std::vector<S> values(model_->guards.size(), S(0));
+  void fill_guards(const S& t, const Numbers<S>& x, std::vector<S>& values) const {
+    values.resize(model_->guards.size());
     if (guards_ && !values.empty()) guards_(t, x.data(), values.data());
+  }
+  std::vector<S> guard_values(const S& t, const Numbers<S>& x) const {
+    std::vector<S> values;
+    fill_guards(t, x, values);
     return values;
   }
 

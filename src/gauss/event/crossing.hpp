@@ -15,6 +15,11 @@ template <class S>
 struct Ends {
   S begin, begin_rate, end, end_rate;
 
+  /// Whether the cubic is above 0 everywhere, as far as the hull of its control points (Bezier) tells.
+  bool are_above() const {
+    return begin > S(0) && end > S(0) && 3 * begin + begin_rate > S(0) && 3 * end - end_rate > S(0);
+  }
+
   /// The cubic through both (Hermite), at a part of the step.
   S operator()(const S& part) const {
     const S u = S(1) - part;
