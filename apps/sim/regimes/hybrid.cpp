@@ -68,8 +68,10 @@ template <class S>
 Regime<S>* Hybrid<S>::regime_at(const Modes& modes, std::string& why) {
   const auto [place, is_new] = regimes_.try_emplace(modes);
   if (is_new) {
+    const Stopwatch watch;
     if (auto model = source_->at(modes, why))
       place->second = std::make_unique<Regime<S>>(std::move(model), setting_.change);
+    making_ += watch.seconds();
   }
   return place->second.get();
 }

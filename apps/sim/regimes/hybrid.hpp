@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/drive/integrator.hpp"
+#include "sim/drive/stopwatch.hpp"
 #include "sim/methods/methods.hpp"
 #include "sim/regimes/event.hpp"
 #include "sim/regimes/regime.hpp"
@@ -37,6 +38,9 @@ class Hybrid final : public Integrator<S> {
   gauss::Status sample(const S& t, const S* x, S* row) { return regime_->sample(t, x, row); }
 
   const std::vector<Event>& events() const { return events_; }
+
+  /// Time that went into deriving and compiling regimes.
+  const Seconds& making() const { return making_; }
   const Modes& modes() const { return modes_; }
 
  private:
@@ -83,6 +87,7 @@ class Hybrid final : public Integrator<S> {
   std::shared_ptr<RegimeSource> source_;
   Setting setting_;
   std::map<Modes, std::unique_ptr<Regime<S>>> regimes_;
+  Seconds making_;
   std::set<std::string> broken_;
   std::set<std::string> closed_;  ///< contacts, beside those that open at this instant
   Modes modes_;

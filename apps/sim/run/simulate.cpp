@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <type_traits>
 
 #include "gauss/integrate/step_result.hpp"
 #include "sim/drive/gains.hpp"
 #include "sim/drive/quad.hpp"
+#include "sim/drive/stopwatch.hpp"
 #include "sim/output/csv.hpp"
 #include "sim/regimes/columns_of_regimes.hpp"
 #include "sim/regimes/hybrid.hpp"
@@ -23,13 +22,6 @@ namespace gausssim {
 namespace {
 
 using gauss::simulate::Outcome;
-
-/// Of this thread: other runs may be made beside it.
-double processor_seconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 template <class S>
 S number_of(const std::string& text) {
@@ -75,8 +67,7 @@ class Simulator {
       result_.why = fmt::format("the initial state cannot be found: {}", gauss::name(result_.status));
       return result_;
     }
-    const auto begin = std::chrono::steady_clock::now();
-    const double cpu = processor_seconds();
+    const Stopwatch watch;
     const MethodSettings<S> settings = method_settings<S>(setting_);
     const S from = earlier_ == nullptr ? grid_.start : grid_.at(earlier_->samples - 1);
     const bool keeps_energy =
@@ -92,8 +83,10 @@ class Simulator {
     shown_ = start;
     result_.samples = drive<S>(*integrator, sampler_.expected(grid_, earlier_ == nullptr ? 0 : earlier_->samples),
                                [&](const Sample<S>& sample) { return take(sample, *integrator); });
-    result_.cpu_seconds = processor_seconds() - cpu;
-    result_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const Seconds all = watch.seconds(), of_regimes = hybrid_ == nullptr ? Seconds{} : hybrid_->making();
+    result_.cpu_seconds = all.cpu - of_regimes.cpu;
+    result_.wall_seconds = all.wall - of_regimes.wall;
+    result_.regime_seconds = of_regimes.wall;
     note(*integrator);
     if (earlier_ != nullptr) add_earlier();
     return result_;

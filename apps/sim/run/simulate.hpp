@@ -54,6 +54,7 @@ struct Simulated {
   Drift drift;
   std::vector<Event> events;                 ///< of a model with regimes
   std::size_t regimes = 0;                   ///< that were come to
+  double regime_seconds = 0;                 ///< in which they were derived and compiled
   double wall_seconds = 0, cpu_seconds = 0;  ///< of the integration, samples included
   std::vector<std::string> last_state;       ///< all digits; of the last sample, where a run can go on from it
   std::string last_row;                      ///< of the table that somebody writes

@@ -96,6 +96,7 @@ std::string summary_of(const FinishedRun& finished) {
                      {"cached", times.was_cached},
                      {"run", run.wall_seconds},
                      {"run_cpu", run.cpu_seconds}};
+  if (prepared.regimes) json["seconds"]["regimes"] = run.regime_seconds;
   json["last_state"] = run.last_state;
   json["resume"] = resume_json(prepared, run);
   return json.dump(2) + "\n";
