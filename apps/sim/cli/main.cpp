@@ -17,6 +17,7 @@
 #include "sim/cli/message_options.hpp"
 #include "sim/cli/shell.hpp"
 #include "sim/cli/validators.hpp"
+#include "sim/effects/effects.hpp"
 #include "sim/ensemble/ensemble.hpp"
 #include "sim/plot/plot.hpp"
 #include "sim/run/interruption.hpp"
@@ -204,6 +205,25 @@ void add_advise(CLI::App& app, AdviseOptions& options) {
   add_messages(*advise, options.messages);
 }
 
+void add_effects(CLI::App& app, EffectsOptions& options) {
+  CLI::App* const command = app.add_subcommand(
+      "effects", "Show what each effect of a scene costs and changes, and which a wanted accuracy needs");
+  command->add_option("FILE", options.file, "scene or model")->required();
+  command
+      ->add_option("-o,--output", options.output,
+                   "path of what is written, to which .json and .svg are added; default <name>.effects")
+      ->type_name("PATH");
+  add_setting(command, options);
+  command
+      ->add_option(
+          "--need", options.need,
+          "largest change of all outputs, relative to their ranges: names the effects that it needs, and writes "
+          "a scene with these alone, FILE.lean.yaml")
+      ->type_name("E")
+      ->check(share());
+  add_messages(*command, options.messages);
+}
+
 void add_plot(CLI::App& app, PlotOptions& options) {
   CLI::App* const plot = app.add_subcommand("plot", "Draw the columns of a table as a picture: a panel for each unit");
   plot->add_option("CSV", options.file, "table that a run has written, or - for standard input")->required();
@@ -305,6 +325,9 @@ int main(int argc, char** argv) {
   gausssim::EnsembleOptions ensemble;
   ensemble.messages.program = options.messages.program;
   gausssim::add_ensemble(app, ensemble);
+  gausssim::EffectsOptions effects;
+  effects.messages.program = options.messages.program;
+  gausssim::add_effects(app, effects);
   gausssim::PlotOptions plot;
   plot.messages.program = options.messages.program;
   gausssim::add_plot(app, plot);
@@ -331,6 +354,7 @@ int main(int argc, char** argv) {
     return gausssim::guarded<gausssim::Printed>(gausssim::print,
                                                 {gausssim::listed_methods(listing.format == "json"), options.messages});
   if (app.got_subcommand("ensemble")) return gausssim::guarded(gausssim::ensemble, ensemble);
+  if (app.got_subcommand("effects")) return gausssim::guarded(gausssim::effects, effects);
   if (app.got_subcommand("plot")) return gausssim::guarded(gausssim::draw_plot, plot);
   if (app.got_subcommand("study")) return gausssim::guarded(gausssim::study, study);
   if (app.got_subcommand("advise")) return gausssim::guarded(gausssim::advise, advice);

@@ -155,7 +155,7 @@ void tell(const FinishedRun& finished) {
   std::string text =
       fmt::format("{}: {:.6g} s by {} ({}, {}, {}{})\n", prepared.name(), run.reached - prepared.span.start,
                   setting.method, how, setting.number, engine, projection);
-  if (prepared.has_effects)
+  if (prepared.has_effects())
     text +=
         fmt::format("  effects {}\n", prepared.effects.empty() ? "none" : gaussgen::support::joined(prepared.effects));
   text += fmt::format("  steps   {} ({} refused), {} calls, {} s", run.steps, run.rejected, run.calls,

@@ -50,7 +50,7 @@ std::string identity_of_problem(const PreparedModel& prepared) {
   // Forces may depend on the time, errors are those at the samples, and longest steps are those of all runs.
   const std::string times = fmt::format("{:a} {} {:a}\n", prepared.span.start, prepared.span.samples,
                                         prepared.scene.longest_step.value_or(0));
-  std::string effects = prepared.has_effects ? "effects" : "";
+  std::string effects = prepared.has_effects() ? "effects" : "";
   for (const std::string& name : prepared.effects) effects += " " + name;
   return gaussgen::support::content_hash(times + effects + without_last_underscores(cpp::print(values)) + prepared.model_text);
 }

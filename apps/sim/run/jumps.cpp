@@ -31,7 +31,7 @@ class Edges {
   void note(const model::Ast& ast) {
     static const std::map<std::string, int> k_hardness{
         {"sign", 0}, {"piecewise", 1}, {"abs", 2}, {"min", 2}, {"max", 2}};
-    if (ast.name == "sqrt" && is_square(ast.children.front())) {
+    if (ast.name == "sqrt" && (is_square(ast.children.front()) || is_square_of_speeds(ast.children.front()))) {
       found_.insert({2, ast.name});
     } else if (ast.table != nullptr) {
       if (ast.table->degree() <= 1) found_.insert({3, ast.name});
@@ -45,6 +45,26 @@ class Edges {
     if (ast.kind != model::AstKind::power) return false;
     const auto exponent = model::exact_value(ast.children.back());
     return exponent && gaussgen::support::is_integer(*exponent / 2);
+  }
+
+  /// A speed such as that of drag, which is 0 wherever something comes to rest. (Distances hardly ever are.)
+  bool is_square_of_speeds(const model::Ast& ast) const {
+    return ast.kind == model::AstKind::sum && has_rate(ast) &&
+           std::all_of(ast.children.begin(), ast.children.end(), [&](const model::Ast& term) {
+             return is_square(term) || (term.kind == model::AstKind::product &&
+                                        std::any_of(term.children.begin(), term.children.end(),
+                                                    [](const auto& one) { return is_square(one); }));
+           });
+  }
+
+  bool has_rate(const model::Ast& ast) const {
+    if (ast.kind == model::AstKind::call && ast.name == "dot") return true;
+    if (ast.kind == model::AstKind::symbol) {
+      const auto symbol = model_.symbols.find(ast.name);
+      return symbol != model_.symbols.end() &&
+             (symbol->second.kind == model::SymbolKind::speed || symbol->second.kind == model::SymbolKind::spin);
+    }
+    return std::any_of(ast.children.begin(), ast.children.end(), [this](const auto& child) { return has_rate(child); });
   }
 
   bool changes(const model::Ast& ast) const {

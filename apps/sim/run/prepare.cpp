@@ -288,7 +288,7 @@ class Preparation {
     remarks_ = remarks_on_quaternions(read, parameters_);
     result_.parameters.clear();
     for (const model::Parameter& one : read.parameters) result_.parameters.emplace_back(one.name.text, one.value);
-    result_.has_effects = !read.effects.empty();
+    result_.known_effects = read.effects;
     result_.effects.clear();
     for (const model::Effect& effect : read.effects) {
       if (effect.acts) result_.effects.push_back(effect.name.text);

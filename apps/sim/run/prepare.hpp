@@ -39,8 +39,8 @@ struct PreparedModel {
   Columns columns;
   std::vector<std::pair<std::string, gaussgen::model::Ast>> parameters;  ///< each over those before it
   Span span;
-  std::vector<std::string> effects;  ///< that act
-  bool has_effects = false;          ///< the model has some, whether they act or not
+  std::vector<std::string> effects;                    ///< that act
+  std::vector<gaussgen::model::Effect> known_effects;  ///< that the model has, whether they act or not
   std::string model_file;
   std::string model_text;  ///< of that file, and behind it of those that it includes
   double generate_seconds = 0;
@@ -52,6 +52,8 @@ struct PreparedModel {
   std::shared_ptr<RegimeSource>
       regimes;               ///< of a model whose contacts, friction or links change their modes; else null
   bool wants_gains = false;  ///< the projection `gains` may be asked for
+
+  bool has_effects() const { return !known_effects.empty(); }
 
   /// Of the scene, else of the model: names files and problems.
   const std::string& name() const { return scene.name.empty() ? model.unit.model_name : scene.name; }

@@ -52,7 +52,7 @@ std::string summary_of(const FinishedRun& finished) {
   json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
   json["model"] = prepared.model.unit.model_name;
   if (!prepared.scene.name.empty()) json["scene"] = prepared.scene.name;
-  if (prepared.has_effects) json["effects"] = prepared.effects;
+  if (prepared.has_effects()) json["effects"] = prepared.effects;
   json["outcome"] = run.was_interrupted               ? "interrupted"
                     : run.outcome == Outcome::running ? "finished"
                                                       : gauss::simulate::name(run.outcome);

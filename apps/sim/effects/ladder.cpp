@@ -1,0 +1,78 @@
+#include "sim/effects/ladder.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "sim/run/interruption.hpp"
+
+namespace gausssim {
+
+namespace {
+
+bool is_without(const Move& move) { return move.what.rfind("without ", 0) == 0; }
+
+EffectSet without_any(EffectSet acting, const std::vector<gaussgen::model::Effect>& effects) {
+  while (true) {
+    const std::vector<Move> moves = moves_from(acting, effects);
+    const auto first = std::find_if(moves.begin(), moves.end(), is_without);
+    if (first == moves.end()) return acting;
+    acting = first->left;
+  }
+}
+
+/// Nothing: all moves lead to more operations, or to no motion.
+std::optional<Compared> next_rung(const Measured& from, Workbench& bench) {
+  std::optional<Compared> best;
+  for (const Move& move : moves_from(from.acting, bench.effects())) {
+    if (Interruption::is_asked_for()) return std::nullopt;
+    const Measured& found = bench.measured(move.left);
+    if (!found.why.empty() || found.operations > from.operations) continue;
+    const auto order = [](const Measured& one) { return std::tuple(one.change.value, one.operations); };
+    if (!best || order(found) < order(best->measured)) best = Compared{move.what, found};
+  }
+  return best;
+}
+
+}  // namespace
+
+int Ladder::shared_operations() const {
+  int shared = all.operations - none.operations;
+  for (const Compared& one : each) {
+    if (is_without({one.what, {}}) && one.measured.why.empty()) shared -= all.operations - one.measured.operations;
+  }
+  return shared;
+}
+
+Measured cheapest_within(const Ladder& ladder, double change) {
+  Measured best = ladder.all;
+  const auto order = [](const Measured& one) { return std::tuple(one.operations, one.acting.size()); };
+  const auto take = [&](const Measured& one) {
+    if (one.why.empty() && one.change.value <= change && order(one) < order(best)) best = one;
+  };
+  for (const auto& list : {ladder.each, ladder.rungs}) {
+    for (const Compared& one : list) take(one.measured);
+  }
+  take(ladder.none);
+  return best;
+}
+
+std::optional<Ladder> make_ladder(Workbench& bench) {
+  Ladder ladder;
+  ladder.all = bench.measured(bench.all());
+  for (const Move& move : moves_from(bench.all(), bench.effects())) {
+    ladder.each.push_back({move.what, bench.measured(move.left)});
+    if (Interruption::is_asked_for()) return std::nullopt;
+  }
+  ladder.rungs.push_back({"all", ladder.all});
+  while (const auto next = next_rung(ladder.rungs.back().measured, bench)) {
+    const bool is_new = std::none_of(ladder.rungs.begin(), ladder.rungs.end(),
+                                     [&](const Compared& one) { return one.measured.acting == next->measured.acting; });
+    if (!is_new) break;
+    ladder.rungs.push_back(*next);
+  }
+  ladder.none = bench.measured(without_any(bench.all(), bench.effects()));
+  if (Interruption::is_asked_for()) return std::nullopt;
+  return ladder;
+}
+
+}  // namespace gausssim
