@@ -1,11 +1,11 @@
-# gauss_add_model(TARGET <target> MODEL <file.yaml>
-#                 [COUNTS <name>=<number> ...] [OUTPUTS <function> ...] [SENSITIVITIES <parameter> ...] [FOLD] [NAMESPACE <name>]
+# gauss_add_model(TARGET <target> MODEL <file.yaml> | SCENE <scene.yaml>
+#                 [COUNTS <name>=<number> ...] [EFFECTS <effect> ... | VARIANTS <name>=<effect>,... ...] [OUTPUTS <function> ...] [SENSITIVITIES <parameter> ...] [FOLD] [NAMESPACE <name>]
 #                 [ROUTE paper] [STRATEGY <one>] [PARTS <number>] [SPLIT [<type> ...]] [AS_WRITTEN <rule> ...]
 #                 [CONTRACT off|on|fast] [ALLOW_FAST_MATH])
 #
 # Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
-# #include "<name>.hpp", where <name> is the name that the model file gives. The options are those of gauss-gen, but for the last
-# two: what includes the header is compiled so that a product and a sum are rounded one by one (CONTRACT off), and -ffast-math is
+# #include "<name>.hpp", where <name> is the name that the model file gives, or the scene. With VARIANTS there is a header for each,
+# <name>_<variant>.hpp, and <name>_variants.hpp with a table of them. The options are those of gauss-gen, but for the last two: what includes the header is compiled so that a product and a sum are rounded one by one (CONTRACT off), and -ffast-math is
 # refused by the header.
 
 # A count of the model: as it is given, else the number in its text; empty where that is a formula.
@@ -82,6 +82,20 @@ function(_gauss_model_name model given result)
     get_filename_component(name "${model}" NAME_WE)
   endif()
   set(${result} ${name} PARENT_SCOPE)
+endfunction()
+
+# The name of a scene as gauss-gen makes one of C++ of it; that of the file where it has none.
+function(_gauss_scene_name scene result)
+  file(READ "${scene}" text)
+  get_filename_component(name "${scene}" NAME_WE)
+  if("\n${text}" MATCHES "\n[\"']?scene[\"']?[ \t]*:[ \t]*[\"']?([^\n\"'#]+)")
+    string(STRIP "${CMAKE_MATCH_1}" name)
+  endif()
+  string(REGEX REPLACE "[^A-Za-z0-9]" "_" name "${name}")
+  if(name MATCHES "^[_0-9]")
+    set(name "scene_${name}")
+  endif()
+  set(${result} "${name}" PARENT_SCOPE)
 endfunction()
 
 # The path of the model, or an error in our words.
@@ -194,8 +208,8 @@ function(_gauss_set_contraction target visibility contract)
 endfunction()
 
 function(gauss_add_model)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD;ALLOW_FAST_MATH" "TARGET;MODEL;NAMESPACE;ROUTE;STRATEGY;PARTS;CONTRACT"
-                        "COUNTS;OUTPUTS;SENSITIVITIES;SPLIT;AS_WRITTEN")
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD;ALLOW_FAST_MATH" "TARGET;MODEL;SCENE;NAMESPACE;ROUTE;STRATEGY;PARTS;CONTRACT"
+                        "COUNTS;EFFECTS;VARIANTS;OUTPUTS;SENSITIVITIES;SPLIT;AS_WRITTEN")
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, COUNTS, OUTPUTS, "
                         "SENSITIVITIES, FOLD, NAMESPACE, ROUTE, STRATEGY, PARTS, SPLIT, AS_WRITTEN, CONTRACT and ALLOW_FAST_MATH")
@@ -208,15 +222,25 @@ function(gauss_add_model)
   if(ARG_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "gauss_add_model: no value after ${ARG_KEYWORDS_MISSING_VALUES}; a variable may be empty")
   endif()
-  if(NOT ARG_TARGET OR NOT ARG_MODEL)
-    message(FATAL_ERROR "gauss_add_model: TARGET and MODEL are needed")
+  if(NOT ARG_TARGET OR NOT (ARG_MODEL OR ARG_SCENE))
+    message(FATAL_ERROR "gauss_add_model: TARGET and MODEL are needed, or TARGET and SCENE")
+  endif()
+  if(ARG_MODEL AND ARG_SCENE)
+    message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): a scene names its model: leave MODEL out")
+  endif()
+  if(ARG_EFFECTS AND ARG_VARIANTS)
+    message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): each of the VARIANTS has its own effects: leave EFFECTS out")
   endif()
   _gauss_check_target("${ARG_TARGET}")
-  _gauss_model_path("${ARG_TARGET}" "${ARG_MODEL}" model)
+  _gauss_model_path("${ARG_TARGET}" "${ARG_MODEL}${ARG_SCENE}" model)
   # However they are written, as OUTPUTS are.
   _gauss_words(counts ${ARG_COUNTS})
   string(REPLACE "," ";" counts "${counts}")
-  _gauss_model_name("${model}" "${counts}" name)
+  if(ARG_SCENE)
+    _gauss_scene_name("${model}" name)
+  else()
+    _gauss_model_name("${model}" "${counts}" name)
+  endif()
   _gauss_refuse_second_of_name("${ARG_TARGET}" "${name}" "${model}")
   # Another name in the model file is another header.
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${model}")
@@ -249,6 +273,22 @@ function(gauss_add_model)
     _gauss_words(rules ${ARG_AS_WRITTEN})
     list(APPEND options --as-written ${rules})
   endif()
+  if(ARG_EFFECTS)
+    _gauss_words(effects ${ARG_EFFECTS})
+    list(APPEND options --effects=${effects})
+  endif()
+  set(headers ${name})
+  foreach(variant IN LISTS ARG_VARIANTS)
+    if(NOT variant MATCHES "^([A-Za-z][A-Za-z0-9_]*)=[^=]+$")
+      message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): VARIANTS are names with effects, as in far=gravity,air, and not '${variant}'")
+    endif()
+    list(APPEND headers ${name}_${CMAKE_MATCH_1})
+    list(APPEND options --variant ${variant})
+  endforeach()
+  if(ARG_VARIANTS)
+    list(REMOVE_AT headers 0)
+    list(APPEND headers ${name}_variants)
+  endif()
   if(ARG_PARTS)
     list(APPEND options --parts ${ARG_PARTS})
   endif()
@@ -256,8 +296,11 @@ function(gauss_add_model)
   # A folder per target, so that two targets may generate the same model with different options.
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/gauss/${ARG_TARGET}")
   file(MAKE_DIRECTORY "${folder}")
-  _gauss_keep_header("${ARG_TARGET}" "${name}" "${folder}")
-  set(header "${folder}/${name}.hpp")
+  foreach(one IN LISTS headers)
+    _gauss_keep_header("${ARG_TARGET}" "${one}" "${folder}")
+  endforeach()
+  list(GET headers -1 last)
+  set(header "${folder}/${last}.hpp")
   # CMake (3.25) rewrites depfiles and loses what protects a `$` or a `#`, and ninja takes few other signs in them; a file that is
   # never found would be generated at every build.
   set(depfile DEPFILE "${header}.d")
@@ -270,7 +313,7 @@ function(gauss_add_model)
                     "the files of submodels is not seen; rename the folder, or change the model file, too")
     set(depfile)
   endif()
-  set(files "${header}")
+  list(TRANSFORM headers REPLACE "(.+)" "${folder}/\\1.hpp" OUTPUT_VARIABLE files)
   if(ARG_SPLIT)
     get_target_property(type ${ARG_TARGET} TYPE)
     if(type STREQUAL "INTERFACE_LIBRARY")
@@ -300,7 +343,7 @@ function(gauss_add_model)
     COMMAND "${CMAKE_COMMAND}" -E touch "${header}.stamp"
     DEPENDS "${model}" gauss::gauss-gen ${missing}
     ${depfile}
-    COMMENT "Generating ${name}.hpp"
+    COMMENT "Generating ${last}.hpp"
     VERBATIM)
 
   set(visibility PRIVATE)
@@ -310,6 +353,9 @@ function(gauss_add_model)
   endif()
   target_sources(${ARG_TARGET} PRIVATE "${header}.stamp")
   target_include_directories(${ARG_TARGET} ${visibility} "${folder}")
+  if(ARG_VARIANTS)
+    target_link_libraries(${ARG_TARGET} ${visibility} gauss::runtime)
+  endif()
   _gauss_set_contraction("${ARG_TARGET}" ${visibility} "${ARG_CONTRACT}")
   if(ARG_ALLOW_FAST_MATH)
     target_compile_definitions(${ARG_TARGET} ${visibility} GAUSS_ALLOW_FAST_MATH)

@@ -137,9 +137,13 @@ std::optional<PipelineResult> compile(support::Source& source, PipelineOptions o
   std::optional<model::Model> model = read_model(source, diagnostics, options.choices);
   if (!model) return std::nullopt;
   if (options.adjust) options.adjust(*model);
+  if (!options.name.empty()) model->name.text = options.name;
   stages.took("model", {std::chrono::steady_clock::now(), 0}, source.text().size());
   PipelineResult result;
   result.model_name = model->name.text;
+  for (const model::Effect& effect : model->effects) {
+    if (effect.acts) result.effects.push_back(effect.name.text);
+  }
   result.has_units = model::has_units(*model);
   const auto up_to_here = [&] {
     result.times = std::move(stages).times();

@@ -33,6 +33,9 @@ struct PipelineOptions {
   bool assemble = false;                ///< constraints may move given initial values
   Route route = Route::emitted;
   Strategy strategy = Strategy::automatic;
+  std::string name;  ///< of the header; empty: that of the model
+  std::string
+      chosen_by;  ///< a scene, or a file with options: what chose effects, counts and values; empty: `choices` say all
   std::string name_space;                         ///< empty: gauss::<model name>
   int part_operations = emit::k_part_operations;  ///< of a function above twice as many
   std::vector<std::string> compiled_for;          ///< scalar types of a source file of its own; empty: none
@@ -55,8 +58,9 @@ using StageObserver = std::function<void(const std::string& stage, const std::fu
 
 struct PipelineResult {
   std::string model_name;
-  bool has_units = false;  ///< of the model: whether dimensions were checked
-  std::string mobility;    ///< in words; may be empty
+  std::vector<std::string> effects;  ///< that act
+  bool has_units = false;            ///< of the model: whether dimensions were checked
+  std::string mobility;              ///< in words; may be empty
   std::string header;
   emit::cpp::File tree;                ///< of the header
   emit::Unit unit;                     ///< names, units and shapes of what is in it

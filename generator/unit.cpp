@@ -129,18 +129,22 @@ class UnitBuilder {
 
   std::string located(support::Span span) const { return ", model " + source_.line_text(span.begin); }
 
+  std::string what_is_chosen() const {
+    if (!options_.chosen_by.empty()) return options_.chosen_by;
+    std::string text = model_.file == "<stdin>" ? std::string("-") : model_.file;
+    for (const auto& [name, count] : options_.choices.counts) text += fmt::format(" --count {}={}", name, count);
+    if (!options_.choices.effects.empty())
+      text += fmt::format(" --effects={}", fmt::join(options_.choices.effects, ","));
+    return text;
+  }
+
   void add_provenance() {
     emit::Provenance& provenance = unit_.provenance;
     provenance.tool_version = k_version;
     provenance.model_file = model_.file;
     provenance.model_hash = model_.content_hash;
-    provenance.command = "gauss-gen " + (model_.file == "<stdin>" ? std::string("-") : model_.file);
-    for (const auto& [name, count] : options_.choices.counts) {
-      provenance.command += " --count " + name + "=" + std::to_string(count);
-    }
+    provenance.command = "gauss-gen " + what_is_chosen();
     for (const auto& [name, mode] : options_.choices.regime) provenance.command += " --regime " + name + "=" + mode;
-    if (!options_.choices.effects.empty())
-      provenance.command += fmt::format(" --effects={}", fmt::join(options_.choices.effects, ","));
     if (!options_.outputs.empty()) {
       std::string list;
       for (const OutputKind& kind : output_kinds()) {

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "cli/arguments.hpp"
 #include "cli/usage_error.hpp"
 #include "model/format.hpp"
@@ -58,6 +61,30 @@ model::GivenRegime parse_regime(const std::vector<std::string>& assignments) {
     regime[given.name] = trimmed(given.text);
   }
   return regime;
+}
+
+std::vector<std::pair<std::string, model::GivenEffects>> parse_variants(const std::vector<std::string>& assignments) {
+  std::vector<std::pair<std::string, model::GivenEffects>> variants;
+  std::set<std::string> seen;
+  for (const std::string& text : assignments) {
+    const NameAndText given = at_equals("--variant", text);
+    refuse_second_of("--variant", given.name, given.name, seen);
+    const auto is_part_of_names = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    if (!std::all_of(given.name.begin(), given.name.end(), is_part_of_names))
+      throw UsageError(fmt::format("--variant {}: it is a part of names in C++: letters, digits and '_'", given.name));
+    model::GivenEffects words;
+    std::string word;
+    for (const char c : given.text + ",") {
+      if (c != ',') {
+        word += c;
+      } else {
+        if (word = trimmed(word); !word.empty()) words.push_back(word);
+        word.clear();
+      }
+    }
+    variants.emplace_back(given.name, std::move(words));
+  }
+  return variants;
 }
 
 std::string unknown_count(const model::UnknownCount& unknown) {

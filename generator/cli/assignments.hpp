@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/choices.hpp"
@@ -27,6 +28,9 @@ model::GivenCounts parse_counts(const std::vector<std::string>& assignments);
 
 /// Assignments such as floor=closed. Throws UsageError.
 model::GivenRegime parse_regime(const std::vector<std::string>& assignments);
+
+/// Assignments such as far=gravity,air. Throws UsageError.
+std::vector<std::pair<std::string, model::GivenEffects>> parse_variants(const std::vector<std::string>& assignments);
 
 /// Why the model has no such count, for the user.
 std::string unknown_count(const model::UnknownCount& unknown);

@@ -31,6 +31,15 @@ class Adder {
   void generate() {
     add_model();
     add_choices();
+    const auto take_variants = [&options = options_](const std::vector<std::string>& assignments) {
+      options.variants = parse_variants(assignments);
+    };
+    one_each(
+        app_.add_option_function<std::vector<std::string>>(
+            "--variant", take_variants,
+            wrapped("a set of effects by a name, such as far=gravity,air; may be repeated for others: a header for "
+                    "each, and <name>_variants.hpp with a table from which a program chooses while it runs")),
+        "NAME=LIST");
     add_path("-o,--output", options_.output, "folder for <name>.hpp, or - for standard output", "DIR",
              Argument::folder);
     add_flag("--check", options_.check, "write nothing, only say whether the model is right");

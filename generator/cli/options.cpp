@@ -96,6 +96,10 @@ void check(const CLI::App& app, const Options& options) {
   if (options.pipeline.route == Route::paper && options.pipeline.strategy != Strategy::automatic)
     refuse("--strategy", "the paper's route has one way, (3.7)-(3.8); leave one of the two out");
   if (!options.split.empty() && options.output == "-") refuse("--split", "it writes two files; name a folder by -o");
+  if (!options.variants.empty() && !options.pipeline.choices.effects.empty())
+    refuse("--variant", "each has its own effects; leave --effects out");
+  if (!options.variants.empty() && (options.output == "-" || !options.split.empty() || !options.dumps.empty()))
+    refuse("--variant", "it writes headers, and goes with none of -o -, --split and --dump");
   if (app.count("--depfile") != 0 && options.depfile.empty()) refuse("--depfile", "a file name is needed");
   if (app.count("--depfile-target") != 0 && (options.depfile.empty() || options.depfile_target.empty()))
     refuse("--depfile-target", "it is a word in the file of --depfile");

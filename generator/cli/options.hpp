@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/messages.hpp"
@@ -23,6 +24,7 @@ struct Options {
   // generate
   std::string output;              ///< folder, "-" for standard output; empty: the working folder
   std::vector<std::string> split;  ///< types of a source file of its own
+  std::vector<std::pair<std::string, model::GivenEffects>> variants;  ///< sets of effects by name, a header each
   std::string depfile;
   std::string depfile_target;      ///< empty: the header
   std::vector<std::string> dumps;  ///< stages

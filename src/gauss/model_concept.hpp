@@ -75,6 +75,8 @@ inline constexpr bool is_model = concept_detail::IsModel<M, S>::value;
     static constexpr const char* name = name_space::name_of_model;                                                    \
     static constexpr const ::gauss::Quantity* coordinates = name_space::coordinate_table;                             \
     static constexpr const ::gauss::Quantity* speeds = name_space::speed_table;                                       \
+    static constexpr const ::gauss::Quantity* parameters = name_space::parameter_table;                               \
+    static constexpr const ::gauss::Quantity* inputs = name_space::input_table;                                       \
     template <class S>                                                                                                \
     GAUSS_FUNCTION static Prepared<S> prepare(const Parameters<S>& parameters) noexcept {                             \
       return name_space::prepare(parameters);                                                                         \

@@ -1,4 +1,5 @@
 #include "sim/effects/effects.hpp"
+#include "scene_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,6 @@
 #include "sim/effects/lean_scene.hpp"
 #include "sim/output/files.hpp"
 #include "sim/run/interruption.hpp"
-#include "sim/scene/read_scene.hpp"
 
 namespace gausssim {
 
@@ -38,7 +38,7 @@ std::string lean_path(const EffectsOptions& options) {
 std::string lean_scene(const EffectsOptions& options, const Workbench& bench, const Measured& chosen) {
   const auto source = cli::read_source(options.file);
   const auto names = in_order(chosen.acting, bench.effects());
-  if (is_scene(source)) return scene_with_effects(std::string(source.text()), names);
+  if (gaussgen::is_scene(source)) return scene_with_effects(std::string(source.text()), names);
   const std::filesystem::path file(options.file);
   return scene_of_model(file.stem().string() + "_lean", file.filename().string(), names);
 }

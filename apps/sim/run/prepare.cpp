@@ -1,4 +1,5 @@
 #include "sim/run/prepare.hpp"
+#include "scene_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -225,7 +226,7 @@ class Preparation {
 
  private:
   bool read_scene_and_model(const std::function<void(Scene&)>& change) {
-    is_scene_ = is_scene(scene_text_);
+    is_scene_ = gaussgen::is_scene(scene_text_);
     if (is_scene_) {
       std::optional<Scene> scene = read_scene(scene_text_, in_scene_);
       if (scene) result_.scene = std::move(*scene);
@@ -240,7 +241,7 @@ class Preparation {
       refuse_file(scene.model, result_.model_file);
     else if (is_scene_)
       read_model(scene.model);
-    if (model_text_ && is_scene(*model_text_)) {
+    if (model_text_ && gaussgen::is_scene(*model_text_)) {
       in_scene_.error(code::k_submodel_file, scene.model.span, fmt::format("'{}' is a scene itself", scene.model.text),
                       "name its model");
       model_text_.reset();

@@ -211,13 +211,6 @@ class SceneReader {
 
 }  // namespace
 
-bool is_scene(const Source& source) {
-  Diagnostics ignored;
-  const auto root = spec::read_yaml(source, ignored);
-  return root && root->kind == spec::NodeKind::map &&
-         (spec::find(*root, "model") != nullptr || spec::find(*root, "scene") != nullptr);
-}
-
 std::optional<Scene> read_scene(const Source& source, Diagnostics& diagnostics) {
   const auto root = spec::read_yaml(source, diagnostics);
   if (!root) return std::nullopt;

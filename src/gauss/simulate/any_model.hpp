@@ -1,0 +1,195 @@
+// Emitted models behind one type, for programs that choose among some of them while they run.
+// SPDX-License-Identifier: MIT
+//
+//     #include "ball_variants.hpp"  // by gauss-gen ball.yaml --variant near=gravity,air --variant far=gravity
+//
+//     gauss::simulate::ChosenModel ball(*gauss::simulate::find_model(gauss::ball_variants::variants, "far"));
+//     ball.set("m", 0.2);
+//     std::vector<double> x(ball.size()), rates(ball.size());
+//     ball.initial_state(x.data());
+//     ball.rhs(0, x.data(), rates.data());
+//
+// A call costs one jump through a pointer more than that of the emitted function.
+#ifndef GAUSS_SIMULATE_ANY_MODEL_HPP
+#define GAUSS_SIMULATE_ANY_MODEL_HPP
+
+#include <cstddef>
+#include <cstring>
+#include <new>
+#include <vector>
+
+#include "gauss/integrate/bound_model.hpp"
+#include "gauss/model_concept.hpp"
+
+namespace gauss::simulate {
+
+/// One emitted model, in double. Arrays have as many numbers as it says; `prepared` is memory of `prepared_size` bytes, aligned for double.
+struct AnyModel {
+  const char* name;
+  const char* effects;  ///< that act, with commas between
+  int n_q, n_v, n_parameters, n_inputs;
+  const Quantity *coordinates, *speeds, *parameters, *inputs;  ///< tables end with a null name
+  std::size_t prepared_size;
+  void (*defaults)(double* parameters, double* inputs);
+  void (*prepare)(const double* parameters, void* prepared);
+  /// not_finite where the model was generated without `initial_state`.
+  Status (*initial_state)(const void* prepared, double* state);
+  Status (*rhs)(double t, const double* state, const double* inputs, const void* prepared, double* rates);
+  /// In place. Leaves states of a model that was generated without `project` as they are.
+  Status (*project)(double t, const void* prepared, double* state);
+};
+
+namespace detail {
+
+// Found through the namespace of Prepared.
+template <class State, class Prepared>
+auto start_if_any(int, const Prepared& prepared, State& state) -> decltype(initial_state(prepared, state)) {
+  return initial_state(prepared, state);
+}
+
+template <class State, class Prepared>
+Status start_if_any(long, const Prepared&, State&) {
+  return Status::not_finite;
+}
+
+template <class M>
+struct Calls {
+  using Parameters = typename M::template Parameters<double>;
+  using Inputs = typename M::template Inputs<double>;
+  using Prepared = typename M::template Prepared<double>;
+  using State = typename M::template State<double>;
+  using Derivative = typename M::template Derivative<double>;
+
+  static const Prepared& known(const void* prepared) { return *static_cast<const Prepared*>(prepared); }
+
+  static Inputs inputs_of(const double* values) {
+    Inputs inputs;
+    for (int i = 0; i < M::n_inputs; ++i) inputs.*M::template inputs_of<double>()[i] = values[i];
+    return inputs;
+  }
+
+  static State state_of(const double* values) {
+    State state;
+    std::memcpy(state.values, values, sizeof(state.values));
+    return state;
+  }
+
+  static void defaults(double* parameters, double* inputs) {
+    const Parameters of_model;
+    for (int i = 0; i < M::n_parameters; ++i) parameters[i] = of_model.*M::template parameters_of<double>()[i];
+    const Inputs of_calls;
+    for (int i = 0; i < M::n_inputs; ++i) inputs[i] = of_calls.*M::template inputs_of<double>()[i];
+  }
+
+  static void prepare(const double* values, void* prepared) {
+    Parameters parameters;
+    for (int i = 0; i < M::n_parameters; ++i) parameters.*M::template parameters_of<double>()[i] = values[i];
+    new (prepared) Prepared(M::prepare(parameters));
+  }
+
+  static Status initial_state(const void* prepared, double* values) {
+    State state{};
+    const Status status = start_if_any(0, known(prepared), state);
+    std::memcpy(values, state.values, sizeof(state.values));
+    return status;
+  }
+
+  static Status rhs(double t, const double* values, const double* inputs, const void* prepared, double* rates) {
+    Derivative derivative;
+    const Status status = M::rhs(t, state_of(values), inputs_of(inputs), known(prepared), derivative);
+    std::memcpy(rates, derivative.values, sizeof(derivative.values));
+    return status;
+  }
+
+  static Status project(double t, const void* prepared, double* values) {
+    const State from = state_of(values);
+    State state = from;
+    const Status status = integrate::detail::project_if_any(0, t, from, known(prepared), state);
+    std::memcpy(values, state.values, sizeof(state.values));
+    return status;
+  }
+};
+
+}  // namespace detail
+
+/// `M`: of GAUSS_MODEL.
+template <class M>
+constexpr AnyModel any_model(const char* name, const char* effects) {
+  using Calls = detail::Calls<M>;
+  return {name,
+          effects,
+          M::n_q,
+          M::n_v,
+          M::n_parameters,
+          M::n_inputs,
+          M::coordinates,
+          M::speeds,
+          M::parameters,
+          M::inputs,
+          sizeof(typename Calls::Prepared),
+          Calls::defaults,
+          Calls::prepare,
+          Calls::initial_state,
+          Calls::rhs,
+          Calls::project};
+}
+
+/// Null: there is none of this name.
+template <std::size_t n>
+const AnyModel* find_model(const AnyModel (&models)[n], const char* name) {
+  for (const AnyModel& model : models) {
+    if (std::strcmp(model.name, name) == 0) return &model;
+  }
+  return nullptr;
+}
+
+/// One of them with its parameters and inputs.
+class ChosenModel {
+ public:
+  /// `model` outlives this.
+  explicit ChosenModel(const AnyModel& model)
+      : model_(&model),
+        parameters_(static_cast<std::size_t>(model.n_parameters)),
+        inputs_(static_cast<std::size_t>(model.n_inputs)),
+        prepared_(model.prepared_size / sizeof(double) + 1) {
+    model.defaults(parameters_.data(), inputs_.data());
+    model.prepare(parameters_.data(), prepared_.data());
+  }
+
+  const AnyModel& model() const { return *model_; }
+  std::size_t size() const { return static_cast<std::size_t>(model_->n_q + model_->n_v); }
+
+  /// Of a parameter or an input. False: this set of effects has none of this name, and nothing is changed.
+  bool set(const char* name, double value) {
+    if (double* const parameter = find(model_->parameters, name, parameters_)) {
+      *parameter = value;
+      model_->prepare(parameters_.data(), prepared_.data());
+      return true;
+    }
+    double* const input = find(model_->inputs, name, inputs_);
+    if (input != nullptr) *input = value;
+    return input != nullptr;
+  }
+
+  Status initial_state(double* state) const { return model_->initial_state(prepared_.data(), state); }
+  Status rhs(double t, const double* state, double* rates) const {
+    return model_->rhs(t, state, inputs_.data(), prepared_.data(), rates);
+  }
+  Status project(double t, double* state) const { return model_->project(t, prepared_.data(), state); }
+
+ private:
+  static double* find(const Quantity* table, const char* name, std::vector<double>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (std::strcmp(table[i].name, name) == 0) return &values[i];
+    }
+    return nullptr;
+  }
+
+  const AnyModel* model_;
+  std::vector<double> parameters_, inputs_;
+  std::vector<double> prepared_;
+};
+
+}  // namespace gauss::simulate
+
+#endif  // GAUSS_SIMULATE_ANY_MODEL_HPP
