@@ -261,6 +261,55 @@ class Effects(Program):
         result = self.run_it("evaluate", "-", "--set=b_lin=1", stdin="\n".join(lines_of(PROJECTILE)))
         self.assertIn("'b_lin' is of the effect 'stokes', which does not act", result.stderr)
 
+    def test_a_scene_stands_for_its_model_with_what_it_chooses(self):
+        (self.folder / "ball.yaml").write_text("\n".join(lines_of(PROJECTILE)))
+        (self.folder / "yonder.yaml").write_text("gauss: 1\nscene: yonder\nmodel: ball.yaml\neffects: [gravity, newton]\n"
+                                              "parameters: {m: 0.2}\nmethod: rk4\n")
+        scene = self.ok("yonder.yaml", "-o", "-")
+        model = self.run_it("ball.yaml", "--effects=gravity,newton", "-o", "-").stdout
+        self.assertIn("Command: gauss-gen yonder.yaml\n", scene)
+        # Another name and another value, else the same code.
+        scene = re.sub(r"S m = .*", "S m;", scene).replace("YONDER", "PROJECTILE").replace("yonder", "projectile")
+        model = re.sub(r"S m = .*", "S m;", model)
+        self.assertEqual(without_provenance(scene), without_provenance(model))
+        self.assertEqual(self.ok("yonder.yaml", "--list-outputs"), "yonder.hpp\n")
+
+    def test_mistakes_of_a_scene_have_their_places(self):
+        (self.folder / "ball.yaml").write_text("\n".join(lines_of(PROJECTILE)))
+        (self.folder / "far.yaml").write_text("gauss: 1\nscene: far\nmodel: ball.yaml\neffects: [gravity, newtn]\n")
+        said = self.run_it("far.yaml")
+        self.assertEqual(said.returncode, 1)
+        self.assertIn("far.yaml:4:20: error[E093]: there is no effect 'newtn'", said.stderr)
+        self.assertIn("did you mean 'newton'?", said.stderr)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["ball.yaml", "far.yaml"])
+
+    def test_each_variant_is_a_header_and_equal_sets_share_one(self):
+        (self.folder / "ball.yaml").write_text("\n".join(lines_of(PROJECTILE)))
+        variants = ["--variant", "near=all", "--variant", "far=gravity", "--variant", "away=default"]
+        self.ok("ball.yaml", *variants, "--outputs=rhs,initial_state")
+        names = [f"projectile_{one}.hpp" for one in ("near", "far", "away", "variants")]
+        self.assertEqual(self.ok("ball.yaml", *variants, "--list-outputs"), "\n".join(names) + "\n")
+        self.assertEqual({path.name for path in self.folder.iterdir()}, {"ball.yaml", *names})
+        far = (self.folder / "projectile_far.hpp").read_text()
+        alone = self.ok("ball.yaml", "--effects=gravity", "-o", "-", "--outputs=rhs,initial_state")
+        alone = alone.replace("PROJECTILE", "PROJECTILE_FAR").replace("projectile", "projectile_far")
+        self.assertEqual(without_provenance(far), without_provenance(alone))
+        away = (self.folder / "projectile_away.hpp").read_text()
+        self.assertIn("namespace projectile_away = ::gauss::projectile_far;", away)
+        self.assertLess(len(away.splitlines()), 20)
+
+    def test_mistakes_of_variants_name_them(self):
+        (self.folder / "ball.yaml").write_text("\n".join(lines_of(PROJECTILE)))
+        for said, arguments in {
+                "--variant far: --effects graviti: there is no effect 'graviti'": ["--variant", "far=graviti"],
+                "--variant: 'far' is given twice": ["--variant", "far=none", "--variant", "far=all"],
+                "it is a part of names in C++": ["--variant", "far-away=all"],
+                "leave --effects out": ["--variant", "far=all", "--effects=none"],
+                "goes with none of -o -": ["--variant", "far=all", "-o", "-"]}.items():
+            result = self.run_it("ball.yaml", *arguments)
+            self.assertEqual((result.returncode, said in result.stderr), (2, True), result.stderr)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["ball.yaml"])
+
 
 if __name__ == "__main__":
     unittest.main()

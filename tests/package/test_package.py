@@ -4,6 +4,7 @@ import math
 import os
 import re
 import shutil
+import subprocess
 import tempfile
 import textwrap
 import time
@@ -19,6 +20,35 @@ PENDULUM = textwrap.dedent(re.search(r"^    gauss: 1\n(?:    .*\n)+", README, re
 PROJECT = re.search(r"^```cmake\n(.*?)^```", README, re.M | re.S)[1]
 MAIN = re.search(r"^```cpp\n(.*?)^```", README, re.M | re.S)[1]
 ANY_GENERATOR = "Ninja" if shutil.which("ninja") else "Unix Makefiles"
+
+DROP = """gauss: 1
+name: drop
+parameters: {m: {value: 2, unit: kg}}
+coordinates: {z: {unit: m, initial: 1, initial_rate: -4}}
+particles: {ball: {mass: m, position: [0, 0, z]}}
+effects:
+  gravity: {default: on, parameters: {g: {value: 9.81, unit: m/s^2}}, forces: {weight: {uniform: [0, 0, -g]}}}
+  air: {parameters: {c: {value: 0.5, unit: kg/s}}, forces: {air: {drag: ball, linear: c}}}
+"""
+FAR = "gauss: 1\nscene: far away\nmodel: drop.yaml\neffects: [gravity]\nparameters: {m: 3}\nduration: 2\n"
+DROPPED = """#include <cstdio>
+#include <vector>
+
+#include "drop_variants.hpp"
+#include "far_away.hpp"
+
+int main() {
+  for (const auto& model : gauss::drop_variants::variants) {
+    gauss::simulate::ChosenModel ball(model);
+    const bool has_drag = ball.set("c", 0.25);
+    std::vector<double> state(ball.size()), rates(ball.size());
+    if (ball.initial_state(state.data()) != gauss::Status::ok) return 1;
+    if (ball.rhs(0, state.data(), rates.data()) != gauss::Status::ok) return 1;
+    std::printf("%s %d %.8g\\n", model.name, has_drag, rates[1]);
+  }
+  std::printf("%g\\n", gauss::far_away::Parameters<double>().m);
+}
+"""
 
 M, LENGTH, G, THETA = 1, 0.8, 9.81, 0.5  # as in the README
 PRINTED = 1e-4  # relative: six digits
@@ -135,6 +165,33 @@ class Package(unittest.TestCase):
         self.edit(f"value: {LENGTH}", f"value: {2 * LENGTH}")
         self.make()
         self.assert_pendulum(2 * LENGTH)
+
+    def test_a_program_chooses_among_sets_of_effects_while_it_runs(self):
+        (self.source / "drop.yaml").write_text(DROP, encoding="utf-8")
+        (self.source / "far.yaml").write_text(FAR, encoding="utf-8")
+        (self.source / "drop.cpp").write_text(DROPPED, encoding="utf-8")
+        with (self.source / "CMakeLists.txt").open("a", encoding="utf-8") as file:
+            file.write("add_executable(drop drop.cpp)\n"
+                       "gauss_add_model(TARGET drop MODEL drop.yaml VARIANTS near=gravity,air far=gravity away=gravity)\n"
+                       "gauss_add_model(TARGET drop SCENE far.yaml)\n"
+                       "add_executable(alone alone.cpp)\ngauss_add_model(TARGET alone MODEL drop.yaml EFFECTS air)\n")
+        (self.source / "alone.cpp").write_text('#include "drop.hpp"\nint main() { return gauss::drop::n_parameters; }\n')
+        for generator in [ANY_GENERATOR] + (["Unix Makefiles"] if shutil.which("make") else []):
+            shutil.rmtree(self.build, ignore_errors=True)
+            self.configure(generator)
+            self.make("drop")
+            rows = [line.split() for line in run(self.build / "drop").splitlines()]
+            # c v/m - g, and free fall; those that have no drag know no coefficient of it.
+            self.assertEqual([row[:2] for row in rows[:3]], [["near", "1"], ["far", "0"], ["away", "0"]])
+            self.assertAlmostEqual(float(rows[0][2]), 0.25 * 4 / 2 - 9.81, delta=1e-5)
+            self.assertEqual({row[2] for row in rows[1:3]}, {"-9.81"})
+            self.assertEqual(rows[3], ["3"])  # the mass, by the scene
+            self.assertNotIn("Generating", self.make("drop"))
+            self.edit("effects: [gravity]", "effects: [gravity, air]", file="far.yaml")
+            self.assertIn("Generating", self.make("drop"))
+            self.edit("effects: [gravity, air]", "effects: [gravity]", file="far.yaml")
+            self.make("alone")
+            self.assertEqual(subprocess.run([self.build / "alone"], check=False).returncode, 2)  # m and c, no g
 
     def test_a_header_of_a_former_name_is_not_left_for_includes_to_find(self):
         self.configure(ANY_GENERATOR)
