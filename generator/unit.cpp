@@ -144,6 +144,7 @@ class UnitBuilder {
     provenance.model_file = model_.file;
     provenance.model_hash = model_.content_hash;
     provenance.command = "gauss-gen " + what_is_chosen();
+    if (options_.choices.is_ground) provenance.command += " --regime ground";
     for (const auto& [name, mode] : options_.choices.regime) provenance.command += " --regime " + name + "=" + mode;
     if (!options_.outputs.empty()) {
       std::string list;

@@ -194,14 +194,23 @@ class Adder {
 
   void add_regime() {
     const auto take = [&options = options_](const std::vector<std::string>& assignments) {
-      options.pipeline.choices.regime = parse_regime(assignments);
+      std::vector<std::string> modes;
+      for (const std::string& one : assignments) {
+        if (one == "ground")
+          options.pipeline.choices.is_ground = true;
+        else
+          modes.push_back(one);
+      }
+      options.pipeline.choices.regime = parse_regime(modes);
     };
     one_each(
         app_.add_option_function<std::vector<std::string>>(
             "--regime", take,
-            wrapped("the mode of a contact (open, closed), of dry friction (sticks, slides; forwards, backwards along "
-                    "one direction) or of a constraint that may break (holds, broken), such as floor=closed; may be "
-                    "repeated for others, which are open, stick and hold without it")),
+            wrapped(
+                "the mode of a contact (open, closed), of dry friction (sticks, slides; forwards, backwards along "
+                "one direction) or of a constraint that may break (holds, broken), such as floor=closed; may be "
+                "repeated for others, which are open, stick and hold without it. The word ground: contacts are open, "
+                "and friction is left out; with impact_system")),
         "NAME=MODE");
   }
 

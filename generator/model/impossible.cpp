@@ -113,10 +113,21 @@ class BodyCheck {
   std::vector<Diagnostic>& found_;
 };
 
+/// Newton's law of impacts, taken literally, would make energy beyond 1.
+void check_restitution(const Contact& contact, const Values& values, std::vector<Diagnostic>& found) {
+  if (!contact.restitution) return;
+  const auto value = value_of(*contact.restitution, values);
+  if (!value || !std::isfinite(*value) || (0 <= *value && *value <= 1)) return;
+  found.push_back({Severity::error, code::k_impossible_restitution, contact.restitution->span,
+                   fmt::format("the restitution of '{}' is {:g}", contact.name.text, *value),
+                   "it is the part of the speed that an impact leaves, from 0 to 1"});
+}
+
 }  // namespace
 
 std::vector<Diagnostic> impossible_bodies(const Model& model, const Values& values) {
   std::vector<Diagnostic> found;
+  for (const Contact& contact : model.contacts) check_restitution(contact, values, found);
   for (const Body& body : model.bodies) BodyCheck(model, body, values, found).run();
   return found;
 }

@@ -106,6 +106,7 @@ inline constexpr ErrorCode k_index{"E090", "an index or a count that cannot be w
 inline constexpr ErrorCode k_submodel_file{"E091", "the file of a submodel cannot be taken"};
 inline constexpr ErrorCode k_submodel_fit{"E092", "a submodel that does not fit into the model"};
 inline constexpr ErrorCode k_coupled_reactions{"E045", "forces that depend on too many reactions"};
+inline constexpr ErrorCode k_impossible_restitution{"E046", "a restitution that no impact has"};
 
 // Effects.
 inline constexpr ErrorCode k_effect_choice{"E093", "a choice of effects that cannot be"};
@@ -215,7 +216,7 @@ inline constexpr ErrorCode k_stage_codes[] = {
     code::k_singular_start,       code::k_dependent_start,  code::k_far_start,         code::k_chosen_start,
     code::k_redundant_constraint, code::k_unsafe_choice,    code::k_idle_point,        code::k_contradiction,
     code::k_contradictory_start,  code::k_empty_output,     code::k_no_tree,           code::k_singular_chart,
-    code::k_vanishing_gradient,   code::k_carried_contact,  code::k_coupled_reactions,
+    code::k_vanishing_gradient,   code::k_carried_contact,  code::k_coupled_reactions, code::k_impossible_restitution,
 };
 
 }  // namespace gaussgen::support

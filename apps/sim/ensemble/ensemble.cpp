@@ -95,6 +95,7 @@ int ensemble(const EnsembleOptions& options) {
   int code = cli::k_ok;
   const auto prepared = prepare_varied(options, places, code);
   if (!prepared) return code;
+  refuse_regimes(*prepared, "an ensemble");
   const Plan plan(*prepared->scene.ensemble);
   EngineTimes times;
   std::string why;

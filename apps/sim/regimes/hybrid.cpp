@@ -19,6 +19,7 @@ using Kind = gaussgen::model::Guard::Kind;
 namespace {
 
 constexpr int k_most_at_once = 100;         ///< events between which no time goes by
+constexpr int k_halvings = 3;               ///< of steps within which a guard may dip
 constexpr std::size_t k_most_tried = 4096;  ///< regimes at one instant
 constexpr double k_rest = 1e-8;  ///< of the time since the start: impacts that would end within it are at an end
 
@@ -124,6 +125,13 @@ bool Hybrid<S>::advance_to(const S& end) {
   return outcome_ == Outcome::running && t_ == end;
 }
 
+template <class S>
+void Hybrid<S>::note_speeds(const Array& x) {
+  const std::size_t n_q = ground_size_ == 0 ? ground()->functions().n_q : ground_size_;
+  ground_size_ = n_q;
+  fastest_ = std::max(fastest_, largest_of(x.data() + n_q, x.size() - n_q));
+}
+
 /// Of contacts and slips at the present state, without friction and with all contacts open.
 template <class S>
 bool Hybrid<S>::look(Standing& standing) {
@@ -159,6 +167,7 @@ bool Hybrid<S>::start() {
   is_started_ = true;
   Standing standing;
   if (!look(standing)) return false;
+  note_speeds(x_);
   const Switches& switches = source_->switches();
   Regime<S>* const free = ground();
   const std::size_t n_q = free->functions().n_q;
@@ -173,7 +182,7 @@ bool Hybrid<S>::start() {
     }
     if (standing.gaps[c] > S(1e-9) * size) continue;
     closed_.insert(name);
-    if (standing.gap_rates[c] < -S(1e-10) * largest_of(x_.data() + n_q, x_.size() - n_q)) closing.insert(name);
+    if (standing.gap_rates[c] < -slow()) closing.insert(name);
   }
   modes_ = ground_modes();
   if (!closing.empty()) hit(closing);
@@ -227,6 +236,7 @@ void Hybrid<S>::hit(const std::set<std::string>& closing) {
   const gauss::event::Impulses<S> found = gauss::event::ImpactSolver<S>(problem).solve();
   if (!found.is_found) return stop(Outcome::no_regime, "no impulses satisfy the law of this impact");
   for (std::size_t i = 0; i < n; ++i) x_[n_q + i] += found.changes[i];
+  note_speeds(x_);
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
     if (closing.count(name) > 0) note(name + " hits", static_cast<double>(found.impulses[l + c]));
@@ -283,8 +293,7 @@ bool Hybrid<S>::is_consistent(const Modes& modes, const std::set<std::string>& o
     if (is_resting && change < -S(1e-6) * size) return why = fmt::format("'{}' would overlap", guard.of), false;
     const bool has_sense = guard.kind == Kind::slip && (mode == "forwards" || mode == "backwards");
     const S sense = mode == "backwards" ? S(-1) : S(1);
-    const S fastest = largest_of(x.data() + n_q, x.size() - n_q);
-    const bool begins = gauss::event::magnitude_of(now[g]) <= S(1e-10) * fastest;
+    const bool begins = halted_.count(guard.of) > 0 || gauss::event::magnitude_of(now[g]) <= slow();
     if (has_sense && begins && sense * change < -S(1e-6) * size)
       return why = fmt::format("'{}' would turn back", guard.of), false;
     if (has_sense && !begins && sense * now[g] < S(0)) return false;
@@ -299,9 +308,6 @@ bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
   Standing standing;
   if (!look(standing)) return false;
   const Switches& switches = source_->switches();
-  Regime<S>* const free = ground();
-  const std::size_t n_q = free->functions().n_q;
-  const S slow = S(1e-10) * largest_of(x_.data() + n_q, x_.size() - n_q);
   const auto is_banned = [&](const std::string& name, const std::string& mode) {
     const auto found = banned.find(name);
     return found != banned.end() && found->second == mode;
@@ -311,7 +317,7 @@ bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
     if (closed_.count(name) == 0) continue;
-    if (standing.gap_rates[c] > slow) {
+    if (standing.gap_rates[c] > slow()) {
       closed_.erase(name);
     } else {
       touching.push_back(name);
@@ -347,7 +353,7 @@ bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
         acts = acts || modes.at(switches.contacts[c].name) == "closed";
       }
       if (is_of_contacts && !acts) continue;
-      const bool slips = length_of(standing.slips[f]) > slow;
+      const bool slips = halted_.count(friction.name) == 0 && length_of(standing.slips[f]) > slow();
       std::vector<std::string> ways;
       if (slips) {
         ways = {friction.sliding(friction.slips == 1 && standing.slips[f][0] < S(0))};
@@ -394,14 +400,11 @@ bool Hybrid<S>::enter(const Modes& modes) {
     std::size_t f = 0;
     while (source_->switches().frictions[f].name != friction.name) ++f;
     const std::size_t n_q = regime->functions().n_q, n = regime->functions().n_v;
-    const S fastest = largest_of(x_.data() + n_q, n);
-    if (length_of(standing.slips[f]) > S(1e-10) * fastest) continue;
+    if (halted_.count(friction.name) == 0 && length_of(standing.slips[f]) > slow()) continue;
     const std::vector<S> driven = slip_accelerations(modes, friction.name, x_);
     const S size = length_of(driven);
     if (!(size > S(0))) continue;
     // The least change of speeds that slips so, and leaves closed contacts and constraints as they are.
-    const std::size_t l = regime->model().unit.constraints.size();
-    (void)l;
     const std::size_t contacts = source_->switches().contacts.size();
     const std::size_t of_constraints = ground()->model().unit.constraints.size();
     std::size_t rows = of_constraints + contacts;
@@ -427,9 +430,9 @@ bool Hybrid<S>::enter(const Modes& modes) {
         system(i, n + k) = entry;
       }
     }
-    const S speed = S(1e-12) * std::max(fastest, size);
-    right[n + chosen.size() - 2] = speed * driven[0] / size;
-    right[n + chosen.size() - 1] = speed * driven[1] / size;
+    const S speed = S(1e-12) * std::max(fastest_, size);
+    right[n + chosen.size() - 2] = speed * driven[0] / size - standing.slips[f][0];
+    right[n + chosen.size() - 1] = speed * driven[1] / size - standing.slips[f][1];
     const std::vector<S> change = gauss::event::solve_dense(std::move(system), std::move(right));
     for (std::size_t i = 0; i < n; ++i) x_[n_q + i] += change[i];
   }
@@ -458,7 +461,7 @@ bool Hybrid<S>::enter(const Modes& modes) {
 
 /// Slip in two directions is a root of squares, which no step passes: steps end before, and come near by a tenth each.
 template <class S>
-S Hybrid<S>::cap(const S& end) const {
+S Hybrid<S>::cap(const S& end, std::string& halting) const {
   S result = end;
   for (const FrictionSwitch* const friction : slipping_) {
     const S dt = S(1e-7) * std::max(S(t_ - last_event_), S(1e-6));
@@ -471,7 +474,10 @@ S Hybrid<S>::cap(const S& end) const {
       square += now[g] * now[g];
       falling -= now[g] * (then[g] - now[g]) / dt;
     }
-    if (falling > S(0)) result = std::min(result, S(t_ + S(0.9) * square / falling));
+    const S at = falling > S(0) ? S(t_ + S(0.9) * square / falling) : result;
+    if (!(at < result)) continue;
+    result = at;
+    halting = friction->name;
   }
   return result;
 }
@@ -512,15 +518,19 @@ void Hybrid<S>::look_at_guards(Place& place) const {
 
 template <class S>
 void Hybrid<S>::step(const S& end) {
-  const S target = slipping_.empty() ? end : cap(end);
+  std::string halting;
+  const S target = slipping_.empty() ? end : cap(end, halting);
   if (target < end) {
     const S least = 16 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(t_);
     if (target - t_ <= std::max(least, S(S(1e-13) * (t_ - last_event_)))) {
       from_.t = t_;
       from_.x = x_;
+      halted_.insert(halting);
       return happen(t_, {});
     }
   }
+  if (setting_.of_method.most_steps > 0 && progress().steps >= setting_.of_method.most_steps)
+    return stop(Outcome::too_many_steps, "");
   if (!is_from_known_) {
     from_.t = t_;
     from_.x = x_;
@@ -535,6 +545,7 @@ void Hybrid<S>::step(const S& end) {
   }
   to_.t = inner_->time();
   to_.x = inner_->state();
+  note_speeds(to_.x);
   look_at_guards(to_);
   std::optional<S> first;
   std::vector<std::pair<S, Watched>> found;
@@ -560,22 +571,57 @@ void Hybrid<S>::step(const S& end) {
   happen(*first, fired);
 }
 
+/// A place within the last step at which the guard is below 0, between two at which it is not; nothing where there is none. A cubic stands for the guard
+/// where it is far above 0 beside its changes, or right at half of the step.
+template <class S>
+std::optional<typename Hybrid<S>::Place> Hybrid<S>::dip(const Watched& one, const Place& low, const Place& high,
+                                                        int depth) const {
+  const std::size_t g = one.guard;
+  const S h = high.t - low.t;
+  const gauss::event::Ends<S> ends{one.sense * low.values[g], h * one.sense * low.rates[g], one.sense * high.values[g],
+                                   h * one.sense * high.rates[g]};
+  const S least = ends.least_control();
+  if (least > ends.largest_control() - least) return std::nullopt;
+  if (depth == 0) {
+    const std::optional<S> part = gauss::event::least_inside(ends);
+    if (!part || !(ends(*part) < S(0))) return std::nullopt;
+    std::optional<Place> found = place_at(low.t + *part * h);
+    return found && one.sense * found->values[g] < S(0) ? found : std::nullopt;
+  }
+  std::optional<Place> middle = place_at(low.t + h / 2);
+  if (!middle || one.sense * middle->values[g] < S(0)) return middle;
+  const S off = gauss::event::magnitude_of(S(one.sense * middle->values[g] - ends(S(0.5))));
+  if (least > 4 * off) return std::nullopt;
+  if (auto found = dip(one, low, *middle, depth - 1)) return found;
+  return dip(one, *middle, high, depth - 1);
+}
+
+template <class S>
+std::optional<typename Hybrid<S>::Place> Hybrid<S>::place_at(const S& t) const {
+  const std::optional<Array> x = state_at(t);
+  if (!x) return std::nullopt;
+  Place place;
+  place.t = t;
+  place.x = *x;
+  look_at_guards(place);
+  return place;
+}
+
 /// The time at which a guard falls through 0 within the last step.
 template <class S>
 std::optional<S> Hybrid<S>::crossing(const Watched& one) const {
   const std::size_t g = one.guard;
   const S h = to_.t - from_.t, begin = one.sense * from_.values[g], end = one.sense * to_.values[g];
-  const gauss::event::Ends<S> ends{begin, h * one.sense * from_.rates[g], end, h * one.sense * to_.rates[g]};
-  if (ends.are_above()) return std::nullopt;
   const auto value = [&](const S& at) { return value_at(at, one); };
   S high = to_.t, high_value = end;
   if (!(end < S(0))) {
-    const std::optional<S> part = gauss::event::least_inside(ends);
-    if (!part || !(ends(*part) < S(0))) return std::nullopt;
-    high = from_.t + *part * h;
-    high_value = value(high);
-    if (!(high_value < S(0))) return std::nullopt;
+    const std::optional<Place> below = dip(one, from_, to_, k_halvings);
+    if (!below) return std::nullopt;
+    high = below->t;
+    high_value = one.sense * below->values[g];
   }
+  // What rounding has left a little below 0 is no event while it rises.
+  if (!(begin > S(0)) && one.sense * from_.rates[g] > S(0) && high_value >= begin) return std::nullopt;
   // What has just been at 0 is above it for a while, unless it falls at once.
   S low = from_.t, low_value = begin;
   constexpr int k_looks = 40;
@@ -616,7 +662,7 @@ template <class S>
 void Hybrid<S>::happen(const S& t, const std::vector<Watched>& fired) {
   const std::optional<Array> x = state_at(t);
   if (!x) return stop(Outcome::step_too_small, "the instant of an event cannot be found");
-  without_time_ = t_ < t ? 0 : without_time_ + 1;
+  without_time_ = t - last_event_ > S(1e-12) * (t - start_) ? 0 : without_time_ + 1;
   t_ = t;
   x_ = *x;
   if (without_time_ > k_most_at_once)
@@ -627,6 +673,7 @@ void Hybrid<S>::happen(const S& t, const std::vector<Watched>& fired) {
     const std::string& name = regime_->guards()[one.guard].of;
     const std::string& mode = modes_.at(name);
     if (mode == "holds") broken_.insert(name);
+    if (regime_->guards()[one.guard].kind == Kind::slip) halted_.insert(name);
     if (mode == "open") {
       closing.insert(name);
       closed_.insert(name);
@@ -636,6 +683,7 @@ void Hybrid<S>::happen(const S& t, const std::vector<Watched>& fired) {
   }
   if (!closing.empty()) hit(closing);
   settle(banned);
+  halted_.clear();
   last_event_ = t_;
 }
 

@@ -66,10 +66,15 @@ class Hybrid final : public Integrator<S> {
   bool start();
   bool enter(const Modes& modes);
   void step(const S& end);
-  S cap(const S& end) const;
+  S cap(const S& end, std::string& halting) const;
+  void note_speeds(const Array& x);
+  /// What counts as standing still: speeds beside the largest one so far.
+  S slow() const { return S(1e-10) * fastest_; }
   void look_at_guards(Place& place) const;
   void watch();
   std::optional<S> crossing(const Watched& one) const;
+  std::optional<Place> dip(const Watched& one, const Place& low, const Place& high, int depth) const;
+  std::optional<Place> place_at(const S& t) const;
   std::optional<Array> state_at(const S& t) const;
   S value_at(const S& t, const Watched& one) const;
   void happen(const S& t, const std::vector<Watched>& fired);
@@ -89,6 +94,10 @@ class Hybrid final : public Integrator<S> {
   std::map<Modes, std::unique_ptr<Regime<S>>> regimes_;
   Seconds making_;
   std::set<std::string> broken_;
+  std::set<std::string>
+      halted_;     ///< frictions whose slip has come to its end at this instant, whatever rounding has left of it
+  S fastest_ = 0;  ///< speed so far
+  std::size_t ground_size_ = 0;   ///< coordinates
   std::set<std::string> closed_;  ///< contacts, beside those that open at this instant
   Modes modes_;
   Regime<S>* regime_ = nullptr;

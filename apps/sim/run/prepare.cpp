@@ -460,6 +460,14 @@ class Preparation {
 
 }  // namespace
 
+void refuse_regimes(const PreparedModel& prepared, const char* what) {
+  if (!prepared.regimes) return;
+  throw cli::UsageError(fmt::format(
+      "'{}' has contacts, dry friction or links that break, which {} does not follow: simulate it by 'run', "
+      "with a method and a tolerance",
+      prepared.name(), what));
+}
+
 std::optional<PreparedModel> prepare(const Request& request, const std::function<void(Scene&)>& change,
                                      int& exit_code) {
   Preparation preparation(request);

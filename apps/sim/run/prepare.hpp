@@ -59,6 +59,9 @@ struct PreparedModel {
   const std::string& name() const { return scene.name.empty() ? model.unit.model_name : scene.name; }
 };
 
+/// Throws cli::UsageError for a model whose contacts, friction or links change their modes. `what` does not look for that: "an ensemble".
+void refuse_regimes(const PreparedModel& prepared, const char* what);
+
 /// Compilers take more than 4 s for more operations of power series, ten times as long as for everything else, and runs gain a factor of two by them at best: they are no default.
 constexpr int k_most_series_operations = 4000;
 

@@ -182,7 +182,10 @@ int run(const RunOptions& options, const FindSetting& find) {
   const Interruption interruption;
   int code = cli::k_ok;
   const auto prepared = prepare_run(options, code);
-  return prepared ? Run(options, *prepared).make(find) : code;
+  if (!prepared) return code;
+  if (prepared->scene.error) refuse_regimes(*prepared, "a search for a setting");
+  if (options.resume) refuse_regimes(*prepared, "--resume");
+  return Run(options, *prepared).make(find);
 }
 
 }  // namespace gausssim

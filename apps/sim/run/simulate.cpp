@@ -99,6 +99,8 @@ class Simulator {
     auto functions = gausssim::bind<S>(engine, prepared_.model, change());
     // Impacts and friction take some of it.
     if (prepared_.regimes) functions->energy_layout.is_conserved = false;
+    // What holds at first may be broken later, or more may hold.
+    if (prepared_.regimes) functions->residuals = {};
     return functions;
   }
 

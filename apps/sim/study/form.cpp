@@ -112,6 +112,7 @@ class Collector {
     auto model = prepared(
         request, [](Scene&) {}, code_);
     if (!model) return false;
+    refuse_regimes(*model, "a study");
     push(formulation, std::move(*model));
     forms_.back().is_of_scene = true;
     return true;

@@ -15,10 +15,9 @@ template <class S>
 struct Ends {
   S begin, begin_rate, end, end_rate;
 
-  /// Whether the cubic is above 0 everywhere, as far as the hull of its control points (Bezier) tells.
-  bool are_above() const {
-    return begin > S(0) && end > S(0) && 3 * begin + begin_rate > S(0) && 3 * end - end_rate > S(0);
-  }
+  /// Of the control points of the cubic (Bezier), between which it is.
+  S least_control() const { return std::min({begin, end, S(begin + begin_rate / 3), S(end - end_rate / 3)}); }
+  S largest_control() const { return std::max({begin, end, S(begin + begin_rate / 3), S(end - end_rate / 3)}); }
 
   /// The cubic through both (Hermite), at a part of the step.
   S operator()(const S& part) const {
