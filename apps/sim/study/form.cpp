@@ -58,6 +58,7 @@ class Collector {
     auto first = prepared(
         own, [](Scene&) {}, code_);
     if (!first) return {};
+    refuse_regimes(*first, "a study");
     const Scene scene = first->scene;
     texts_.insert(text_of(*first));
     push(scene.form, std::move(*first));
@@ -112,7 +113,6 @@ class Collector {
     auto model = prepared(
         request, [](Scene&) {}, code_);
     if (!model) return false;
-    refuse_regimes(*model, "a study");
     push(formulation, std::move(*model));
     forms_.back().is_of_scene = true;
     return true;
