@@ -129,3 +129,10 @@ class Program(unittest.TestCase):
 
     def summary(self, name):
         return json.loads((self.folder / name).read_text(encoding="utf-8"))
+
+    def events(self, name):
+        """Instant, words and impulse of each, beside a table of this name."""
+        with open(self.folder / name, encoding="utf-8", newline="") as file:
+            rows = list(csv.reader(file))
+        self.assertEqual(rows[0], ["t [s]", "event", "impulse [N*s]"])
+        return [(float(t), what, float(impulse)) for t, what, impulse in rows[1:]]
