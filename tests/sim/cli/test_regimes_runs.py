@@ -121,8 +121,23 @@ class Runs(Regimes):
         self.assertEqual(list(table), ["t", "x_dot", "modes.friction"])
         for mode, v in zip(table["modes.friction"], table["x_dot"]):
             self.assertEqual(mode, 2 if v > 0 else -2)
-        said = self.refused(2, "run", "model.yaml", "--outputs", "modes.frictoin")
-        self.assertIn("modes.frictoin", said)
+
+    @unittest.expectedFailure  # those of modes come behind the others
+    def test_columns_come_in_the_order_in_which_they_are_asked_for(self):
+        table, _ = self.go(BOUNCE, "--duration", "1", "--outputs", "modes.floor,z_dot,z")
+        self.assertEqual(list(table), ["t", "modes.floor", "z_dot", "z"])
+
+    @unittest.expectedFailure  # it is left out without a word
+    def test_a_mode_of_nothing_is_refused(self):
+        self.write("model.yaml", BOUNCE)
+        said = self.refused(2, "run", "model.yaml", "--outputs", "modes.flor", "-o", "x.csv")
+        self.assertIn("modes.flor", said)
+
+    @unittest.expectedFailure
+    def test_outputs_of_which_one_is_unknown_are_listed_with_modes(self):
+        self.write("model.yaml", BOUNCE)
+        said = self.refused(2, "run", "model.yaml", "--outputs", "mods", "-o", "x.csv")
+        self.assertRegex(said, r"there are .*\bmodes\b")
 
     def test_methods_that_do_not_tell_their_steps_are_refused_with_those_that_do(self):
         self.write("model.yaml", BOUNCE)
