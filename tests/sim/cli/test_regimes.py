@@ -69,6 +69,22 @@ forces:
 """
 
 
+# On two feet, of which the front one carries more while it slides.
+BOX = """gauss: 1
+name: box
+parameters: {m: 1, a: 0.5, h: 0.3, mu: 0.4, g: 9.81}
+coordinates: {x: {initial_rate: 2}, z: {initial: h}, phi: {}}
+frames: {f: {position: [x, 0, z], orientation: {axis: y, angle: phi}}}
+bodies: {box: {frame: f, mass: m, inertia: [1, "m*(a^2 + h^2)/3", 1]}}
+points: {l: {on: box, at: [-a, 0, -h]}, r: {on: box, at: [a, 0, -h]}}
+contacts: {left: {gap: l.z}, right: {gap: r.z}}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  rl: {friction: dot(l.x), limit: mu*left.reaction}
+  rr: {friction: dot(r.x), limit: mu*right.reaction}
+"""
+
+
 def rod_accelerations(theta, rate, sense, mu):
     """Of the rod's middle and its angle, and the force of the floor: Newton and Euler, with J = m l^2/3, m = l = 1."""
     sine, cosine = math.sin(theta), math.cos(theta)
@@ -229,6 +245,22 @@ class Friction(Regimes):
                 self.assertAlmostEqual(table["wy"][-1], -40 + 2.5 * change / 0.0286, delta=1e-10)
                 self.assertAlmostEqual(table["z_dot"][-1], 1, delta=1e-12)
                 self.assertAlmostEqual(table["y_dot"][-1], 0, delta=1e-12)
+
+    def test_a_box_that_slides_on_two_feet_presses_the_front_one_more(self):
+        table, _ = self.go(BOX, "--duration", "0.5", "--outputs", "state,reactions")
+        for i, t in enumerate(table["t"]):
+            self.assertAlmostEqual(table["x"][i], 2 * t - 0.2 * G * t * t, delta=1e-10)
+            # Moments about the middle: a (R - L) = h mu (R + L)
+            left, right = table["reactions.left.multiplier"][i], table["reactions.right.multiplier"][i]
+            self.assertAlmostEqual(left + right, G, delta=1e-9)
+            self.assertAlmostEqual(right - left, 0.3 * 0.4 * G / 0.5, delta=1e-9)
+
+    @unittest.expectedFailure  # it never sticks, as above
+    def test_a_box_on_two_feet_stops_and_stays(self):
+        table, _ = self.go(BOX, "--duration", "2")
+        rest = [x for t, x in zip(table["t"], table["x"]) if t > 2 / (0.4 * G)]
+        self.assertAlmostEqual(rest[-1], 2 / (0.4 * G), delta=1e-10)
+        self.assertEqual(len(set(rest)), 1)
 
     def test_painleves_rod_has_no_motion_and_says_so(self):
         self.write("rod.yaml", ROD)

@@ -320,6 +320,16 @@ class Impacts(Regimes):
             _, events = self.go(TABLE, "--duration", "0.3", "--tolerance", "1e-12", "--samples", samples)
             self.assertEqual([words for _, words, _ in events], ["table closed", "table open", "table hits", "table closed"], samples)
 
+    @unittest.expectedFailure  # a million of them in 20 s, and more: nothing but Ctrl-C ends it
+    def test_more_and_more_impacts_end_with_an_error(self):
+        # Two walls come together: before they do the ball meets them without end, faster each time.
+        self.write("walls.yaml", PAIR.replace("pair", "walls").replace(", y: {initial: 0.11}", "").replace(
+            ", b: {mass: M, position: [y, 0, 0]}", "").replace(
+            "touch: {gap: y - x - 0.1, restitution: 1}", "left: {gap: x + 1, restitution: 1}, right: {gap: 1 - t - x, restitution: 1}"))
+        result = self.run_it("run", "walls.yaml", "--duration", "3", "-q", "-o", "x.csv", timeout=8)
+        self.assertEqual(result.returncode, 5, result.stderr)
+        self.assertEqual(self.summary("x.json")["outcome"], "too many events")
+
     def test_tolerances_and_methods_find_the_same_instants(self):
         _, exact = self.go(STOP, "--duration", "5", "--tolerance", "1e-13")
         for how in (["--tolerance", "1e-10"], ["--method", "dopri5", "--tolerance", "1e-11"], ["--method", "fehlberg78"],
