@@ -134,7 +134,7 @@ class Program(unittest.TestCase):
 class Regimes(Program):
     """Motions through contacts, dry friction and links that break."""
 
-    def go(self, text, *arguments, name="x", timeout=10):
+    def go(self, text, *arguments, name="x", timeout=7):
         """Columns of the table by their names without units, and events."""
         self.write("model.yaml", text)
         self.ok("run", "model.yaml", "-q", "-o", f"{name}.csv", *arguments, timeout=timeout)
