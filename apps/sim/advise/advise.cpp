@@ -121,7 +121,6 @@ int advise(const AdviseOptions& options) {
   int code = cli::k_ok;
   const auto prepared = prepare_run(options, code);
   if (!prepared) return code;
-  refuse_regimes(*prepared, "a search for a setting");
   const double error = *prepared->scene.error;
   std::string why;
   if (!options.study.empty()) {

@@ -129,3 +129,24 @@ class Program(unittest.TestCase):
 
     def summary(self, name):
         return json.loads((self.folder / name).read_text(encoding="utf-8"))
+
+
+class Regimes(Program):
+    """Motions through contacts, dry friction and links that break."""
+
+    def go(self, text, *arguments, name="x", timeout=7):
+        """Columns of the table by their names without units, and events."""
+        self.write("model.yaml", text)
+        self.ok("run", "model.yaml", "-q", "-o", f"{name}.csv", *arguments, timeout=timeout)
+        table = self.table(f"{name}.csv")
+        return {header.split(" ")[0]: column for header, column in table.items()}, self.events(f"{name}.events.csv")
+
+    def events(self, name):
+        """Instant, words and impulse of each."""
+        with open(self.folder / name, encoding="utf-8", newline="") as file:
+            rows = list(csv.reader(file))
+        self.assertEqual(rows[0], ["t [s]", "event", "impulse [N*s]"])
+        return [(float(t), what, float(impulse)) for t, what, impulse in rows[1:]]
+
+    def instants(self, events, what):
+        return [t for t, words, _ in events if words == what]

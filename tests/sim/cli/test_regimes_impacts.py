@@ -1,0 +1,344 @@
+"""Impacts, rest after them, and contacts that open: each motion against its closed form."""
+
+import math
+import unittest
+
+from gauss_sim import Regimes
+
+G = 9.81
+
+BOUNCE = """gauss: 1
+name: bounce
+parameters: {m: 1, g: 9.81, e: 0.9}
+coordinates: {z: {initial: 1}}
+particles: {ball: {mass: m, position: [0, 0, z]}}
+contacts: {floor: {gap: z, restitution: e}}
+forces: {gravity: {uniform: [0, 0, -g]}}
+"""
+
+PAIR = """gauss: 1
+name: pair
+parameters: {m: 2, M: 6}
+coordinates: {x: {initial: -0.5, initial_rate: 1}, y: {initial: 0.11}}
+particles: {a: {mass: m, position: [x, 0, 0]}, b: {mass: M, position: [y, 0, 0]}}
+contacts: {touch: {gap: y - x - 0.1, restitution: 1}}
+"""
+
+CRADLE = """gauss: 1
+name: cradle
+parameters: {{m: 1, d: 0.1, e: 1, s: {spaces}}}
+coordinates:
+{coordinates}particles:
+{particles}contacts:
+{contacts}"""
+
+STOP = """gauss: 1
+name: stop
+parameters: {m: 1, l: 0.5, g: 9.81, e: 0.5, lo: 0.2}
+coordinates: {theta: {initial: 1.2}}
+particles: {bob: {mass: m, position: [l*sin(theta), 0, -l*cos(theta)]}}
+contacts: {stop: {gap: theta + lo, restitution: e}}
+forces: {gravity: {uniform: [0, 0, -g]}}
+"""
+
+ROPE = """gauss: 1
+name: rope
+parameters: {m: 1, l: 1, g: 9.81, v: 4.5}
+coordinates: {x: {initial: 0, initial_rate: v}, z: {initial: -1}}
+particles: {bob: {mass: m, position: [x, 0, z]}}
+contacts: {rope: {gap: "l - sqrt(x^2 + z^2)"}}
+forces: {gravity: {uniform: [0, 0, -g]}}
+"""
+
+TABLE = """gauss: 1
+name: shaken
+parameters: {m: 2, g: 9.81, A: 0.05, w: 20}
+coordinates: {z: {initial: 0, initial_rate: A*w}}
+particles: {block: {mass: m, position: [0, 0, z]}}
+contacts: {table: {gap: z - A*sin(w*t)}}
+forces: {gravity: {uniform: [0, 0, -g]}}
+"""
+
+WEDGED = """gauss: 1
+name: corner
+parameters: {m: 2, e: 1}
+coordinates: {x: {initial: 1, initial_rate: -2}, y: {initial: 1.5, initial_rate: -3}}
+particles: {ball: {mass: m, position: [x, y, 0]}}
+contacts: {left: {gap: x, restitution: e}, low: {gap: y, restitution: e}}
+"""
+
+GAUSS_8 = [(0.1834346424956498, 0.3626837833783620), (0.5255324099163290, 0.3137066458778873),
+           (0.7966664774136267, 0.2223810344533745), (0.9602898564975363, 0.1012285362903763)]
+
+
+def integral(f, a, b, parts=64):
+    """Gauss's rule of eight places in each part."""
+    h = (b - a) / (2 * parts)
+    return h * sum(w * (f(a + (2 * i + 1 - x) * h) + f(a + (2 * i + 1 + x) * h)) for i in range(parts) for x, w in GAUSS_8)
+
+
+def root(f, a, b):
+    """Between a and b, at which f has different signs."""
+    rises = f(b) > 0
+    for _ in range(200):
+        middle = (a + b) / 2
+        if (f(middle) > 0) == rises:
+            b = middle
+        else:
+            a = middle
+    return (a + b) / 2
+
+
+def swing(amplitude, angle, w):
+    """How long a pendulum takes from the bottom to this angle: an elliptic integral of the first kind."""
+    k = math.sin(amplitude / 2)
+    end = math.asin(max(-1, min(1, math.sin(angle / 2) / k)))
+    return integral(lambda p: 1 / math.sqrt(1 - (k * math.sin(p)) ** 2), 0, end) / w
+
+
+def cradle(balls=range(1, 6), contacts=range(1, 5), spaces="0"):
+    """Five balls in a row, of which the first moves; entries in the order given."""
+    x = {1: "{initial: -0.5, initial_rate: 1}", **{i: f"{{initial: {i - 1}*(d + s)}}" for i in range(2, 6)}}
+    return CRADLE.format(
+        spaces=spaces,
+        coordinates="".join(f"  x{i}: {x[i]}\n" for i in balls),
+        particles="".join(f"  b{i}: {{mass: m, position: [x{i}, 0, 0]}}\n" for i in reversed(list(balls))),
+        contacts="".join(f"  c{i}: {{gap: x{i + 1} - x{i} - d, restitution: e}}\n" for i in contacts))
+
+
+class Impacts(Regimes):
+    def rows(self, table):
+        return [dict(zip(table, values)) for values in zip(*table.values())]
+
+    def test_a_bouncing_ball_comes_to_rest_in_time(self):
+        table, events = self.go(BOUNCE, "--duration", "12", "--samples", "1201")
+        hits = [(t, impulse) for t, words, impulse in events if words == "floor hits"]
+        first, v = math.sqrt(2 / G), math.sqrt(2 * G)
+        rest = first * (1 + 2 * 0.9 / (1 - 0.9))
+        self.assertAlmostEqual(rest, 8.578949179, delta=1e-9)
+        (closed,) = self.instants(events, "floor closed")
+        self.assertAlmostEqual(closed, rest, delta=1e-6)
+        self.assertLess(len(hits), 300)
+        self.assertGreater(len(hits), 100)
+        for n, (t, impulse) in enumerate(hits[:-1]):
+            self.assertAlmostEqual(t, first * (1 + 2 * 0.9 * (1 - 0.9**n) / (1 - 0.9)), delta=1e-10)
+            self.assertAlmostEqual(impulse / (v * 1.9 * 0.9**n), 1, delta=1e-9 if n < 60 else 1e-3)
+        for (t, _), (later, _), (third, _) in list(zip(hits, hits[1:], hits[2:]))[:80]:
+            self.assertAlmostEqual((third - later) / (later - t), 0.9, delta=1e-8)
+        for row in self.rows(table):
+            self.assertGreaterEqual(row["z"], -1e-9)
+            if row["t"] > closed:
+                self.assertEqual((row["z"], row["z_dot"]), (0, 0))
+
+    def test_each_impact_leaves_its_part_of_the_speed_to_twelve_digits(self):
+        _, events = self.go(BOUNCE, "--duration", "8")
+        impulses = [impulse for _, words, impulse in events if words == "floor hits"]
+        self.assertGreater(len(impulses), 15)
+        for one, other in zip(impulses, impulses[1:16]):
+            self.assertAlmostEqual(other / one, 0.9, delta=1e-12)
+
+    def test_a_ball_without_restitution_stays_at_once_and_one_with_all_of_it_never(self):
+        table, events = self.go(BOUNCE, "--duration", "2", "--set", "e=0")
+        self.assertEqual([words for _, words, _ in events], ["floor hits", "floor closed"])
+        for row in self.rows(table):
+            if row["t"] > math.sqrt(2 / G):
+                self.assertEqual((row["z"], row["z_dot"]), (0, 0))
+        table, events = self.go(BOUNCE, "--duration", "20", "--set", "e=1")
+        first = math.sqrt(2 / G)
+        self.assertEqual({words for _, words, _ in events}, {"floor hits"})
+        self.assertEqual(len(events), int((20 / first + 1) / 2))
+        for n, (t, _, _) in enumerate(events):
+            self.assertAlmostEqual(t, (2 * n + 1) * first, delta=1e-9)
+        for energy in table["energy.total"]:
+            self.assertAlmostEqual(energy, G, delta=1e-9)
+
+    def test_a_ball_bounces_in_long_double(self):
+        rest = math.sqrt(2 / G) * 19
+        _, events = self.go(BOUNCE, "--duration", "12", "--number", "long-double")
+        self.assertAlmostEqual(self.instants(events, "floor closed")[0], rest, delta=1e-7)
+
+    @unittest.expectedFailure  # the law of the impact is asked for to 1e-9, which float has not: exit code 5
+    def test_a_ball_bounces_in_float(self):
+        _, events = self.go(BOUNCE, "--duration", "12", "--number", "float", "--tolerance", "1e-6")
+        self.assertAlmostEqual(self.instants(events, "floor closed")[0], math.sqrt(2 / G) * 19, delta=1e-3)
+
+    @unittest.expectedFailure  # the impact comes again and again, with an impulse of 0: too many events
+    def test_a_ball_hands_its_speed_on_to_another_one(self):
+        table, events = self.go(PAIR, "--duration", "1")
+        ((t, words, impulse),) = events
+        self.assertEqual(words, "touch hits")
+        self.assertAlmostEqual(t, 0.51, delta=1e-14)
+        self.assertAlmostEqual(impulse, 2 * 1.5, delta=1e-13)  # m1 m2/(m1 + m2) (1 + e) v
+        self.assertAlmostEqual(table["x_dot"][-1], -0.5, delta=1e-13)
+        self.assertAlmostEqual(table["y_dot"][-1], 0.5, delta=1e-13)
+        self.assertAlmostEqual(table["y"][-1], 0.11 + 0.5 * 0.49, delta=1e-13)
+
+    def end_of_cradle(self, text):
+        table, events = self.go(text, "--duration", "3", "--samples", "301")
+        for row in self.rows(table):
+            speeds = [row[f"x{i}_dot"] for i in range(1, 6)]
+            self.assertAlmostEqual(sum(speeds), 1, delta=1e-13)
+            self.assertAlmostEqual(sum(v * v for v in speeds), 1, delta=1e-12)
+        last = self.rows(table)[-1]
+        return [last[f"x{i}{dot}"] for dot in ("", "_dot") for i in range(1, 6)], events
+
+    @unittest.expectedFailure  # the same impact comes again and again, with an impulse of 0: too many events
+    def test_balls_with_spaces_between_hand_on_all_of_the_speed(self):
+        end, events = self.end_of_cradle(cradle(spaces="0.01"))
+        hits = [(t, words, impulse) for t, words, impulse in events]
+        self.assertEqual([words for _, words, _ in hits], [f"c{i} hits" for i in range(1, 5)])
+        for i, (t, _, impulse) in enumerate(hits):  # 0.5 + 0.11 - 0.1 to the first, 0.01 to each of the others
+            self.assertAlmostEqual(t, 0.51 + 0.01 * i, delta=1e-13)
+            self.assertAlmostEqual(impulse, 1, delta=1e-13)
+        expected = [0.01, 0.12, 0.23, 0.34, 0.44 + (3 - 0.54), 0, 0, 0, 0, 1]
+        for one, other in zip(end, expected):
+            self.assertAlmostEqual(one, other, delta=1e-12)
+
+    @unittest.expectedFailure  # as above
+    def test_balls_that_touch_take_the_impact_together(self):
+        # All gaps at once: the first gets -3/5 and the others 2/5, which keeps momentum and energy.
+        end, events = self.end_of_cradle(cradle())
+        self.assertEqual(self.instants(events, "c12 hits"), [])
+        self.assertEqual(len(self.instants(events, "c1 hits")), 1)
+        expected = [-0.6 * 2.5] + [0.1 * i + 0.4 * 2.5 for i in range(1, 5)] + [-0.6] + [0.4] * 4
+        for one, other in zip(end, expected):
+            self.assertAlmostEqual(one, other, delta=1e-12)
+
+    @unittest.expectedFailure  # as above
+    def test_the_order_of_entries_says_nothing(self):
+        orders = [((3, 5, 1, 2, 4), (4, 2, 1, 3)), ((5, 4, 3, 2, 1), (4, 3, 2, 1))]
+        first, _ = self.end_of_cradle(cradle(spaces="0.01"))
+        for balls, contacts in orders:
+            other, _ = self.end_of_cradle(cradle(balls, contacts, spaces="0.01"))
+            for a, b in zip(first, other):
+                self.assertAlmostEqual(a, b, delta=1e-13)
+
+    @unittest.expectedFailure  # as above
+    def test_the_order_of_entries_says_nothing_where_all_touch(self):
+        first, _ = self.end_of_cradle(cradle())
+        for balls, contacts in [((3, 5, 1, 2, 4), (4, 2, 1, 3)), ((5, 4, 3, 2, 1), (4, 3, 2, 1))]:
+            other, _ = self.end_of_cradle(cradle(balls, contacts))
+            for a, b in zip(first, other):
+                self.assertAlmostEqual(a, b, delta=1e-13)
+
+    def test_a_corner_sends_a_ball_back_whichever_wall_is_named_first(self):
+        left, low = "left: {gap: x, restitution: e}", "low: {gap: y, restitution: e}"
+        for text in (WEDGED, WEDGED.replace(f"{left}, {low}", f"{low}, {left}")):
+            table, events = self.go(text, "--duration", "1")
+            self.assertEqual(sorted(words for _, words, _ in events), ["left hits", "low hits"])
+            for t, words, impulse in events:
+                self.assertAlmostEqual(t, 0.5, delta=1e-14)
+                self.assertAlmostEqual(impulse, 8 if words == "left hits" else 12, delta=1e-12)
+            for name, value in (("x", 1), ("y", 1.5), ("x_dot", 2), ("y_dot", 3)):
+                self.assertAlmostEqual(table[name][-1], value, delta=1e-13)
+
+    def test_a_pendulum_meets_its_stop_when_elliptic_integrals_say(self):
+        table, events = self.go(STOP, "--duration", "5", "--tolerance", "1e-12", "--samples", "1001")
+        hits = [(t, impulse) for t, words, impulse in events if words == "stop hits"]
+        self.assertEqual(len(hits), 5)
+        w, lo, amplitude = math.sqrt(G / 0.5), 0.2, 1.2
+        t = swing(amplitude, amplitude, w) + swing(amplitude, lo, w)
+        instants = []
+        for found, impulse in hits:
+            self.assertAlmostEqual(found, t, delta=1e-9)
+            v = w * math.sqrt(2 * (math.cos(lo) - math.cos(amplitude)))
+            self.assertAlmostEqual(impulse, 1.5 * v * 0.25, delta=1e-9)  # along an angle: m l^2 (1 + e) v
+            instants.append((t, amplitude))
+            amplitude = math.acos(math.cos(lo) - 0.25 * v * v / (2 * w * w))
+            t += 2 * (swing(amplitude, amplitude, w) + swing(amplitude, lo, w))
+        for row in self.rows(table):
+            self.assertGreaterEqual(row["theta"], -lo - 1e-12)
+            done = sum(t < row["t"] for t, _ in instants)
+            # Of the energy over the stop each takes all but e^2.
+            kinetic = G * 0.5 * (math.cos(lo) - math.cos(1.2)) * 0.25**done
+            self.assertAlmostEqual(row["energy.total"], kinetic - G * 0.5 * math.cos(lo), delta=1e-10)
+
+    def test_a_rope_goes_slack_where_its_tension_ends_and_the_bob_flies(self):
+        table, events = self.go(ROPE, "--duration", "0.9", "--tolerance", "1e-12", "--outputs", "state,reactions", "--samples", "901")
+        # m v^2/l + m g cos(phi) = 0 with v^2 = v0^2 - 2 g l (1 - cos(phi))
+        phi = math.acos((2 * G - 4.5**2) / (3 * G))
+        slack = integral(lambda a: 1 / math.sqrt(4.5**2 - 2 * G * (1 - math.cos(a))), 0, phi)
+        self.assertAlmostEqual(self.instants(events, "rope open")[0], slack, delta=1e-9)
+        v = math.sqrt(-G * math.cos(phi))
+        x0, z0, vx, vz = math.sin(phi), -math.cos(phi), v * math.cos(phi), v * math.sin(phi)
+
+        def flight(s):
+            return x0 + vx * s, z0 + vz * s - G * s * s / 2
+
+        # The distance is l again: |r|^2 - l^2 = s^3 (g^2 s/4 - g vz), for the curve touches the circle with its curvature.
+        flies = 4 * vz / G
+        again = slack + flies
+        (taut,) = self.instants(events, "rope hits")
+        self.assertAlmostEqual(taut, again, delta=1e-8)
+        (x, z), (u, w) = flight(flies), (vx, vz - G * flies)
+        impulse = [i for _, words, i in events if words == "rope hits"][0]
+        self.assertAlmostEqual(impulse, u * x + w * z, delta=1e-7)
+        along = -u * z + w * x  # what is left of the speed
+        for row in self.rows(table):
+            t, distance = row["t"], math.hypot(row["x"], row["z"])
+            self.assertLess(distance, 1 + 1e-9)
+            if t < slack:
+                tension = (row["x_dot"] ** 2 + row["z_dot"] ** 2) - G * row["z"]
+                self.assertAlmostEqual(row["reactions.rope.multiplier"], tension, delta=1e-8)
+                self.assertAlmostEqual(distance, 1, delta=1e-12)
+            elif t < again:
+                self.assertAlmostEqual(row["x"], flight(t - slack)[0], delta=1e-8)
+                self.assertAlmostEqual(row["z"], flight(t - slack)[1], delta=1e-8)
+                self.assertEqual(row["reactions.rope.multiplier"], 0)
+            else:
+                energy = (row["x_dot"] ** 2 + row["z_dot"] ** 2) / 2 + G * row["z"]
+                self.assertAlmostEqual(energy, along * along / 2 + G * z, delta=1e-6)
+                self.assertAlmostEqual(distance, 1, delta=1e-12)
+
+    def test_a_block_leaves_a_shaken_table_that_falls_faster_than_it(self):
+        table, events = self.go(TABLE, "--duration", "0.3", "--tolerance", "1e-12", "--outputs", "state,reactions")
+        a, w = 0.05, 20
+        leaves = math.asin(G / (a * w * w)) / w
+        self.assertAlmostEqual(self.instants(events, "table open")[0], leaves, delta=1e-10)
+        z0, v0 = a * math.sin(w * leaves), a * w * math.cos(w * leaves)
+
+        def height(t):
+            return z0 + v0 * (t - leaves) - G * (t - leaves) ** 2 / 2
+
+        lands = root(lambda t: height(t) - a * math.sin(w * t), 0.1, 0.3)
+        (hit,) = self.instants(events, "table hits")
+        self.assertAlmostEqual(hit, lands, delta=1e-9)
+        impulse = [i for _, words, i in events if words == "table hits"][0]
+        self.assertAlmostEqual(impulse, 2 * (a * w * math.cos(w * lands) - v0 + G * (lands - leaves)), delta=1e-8)
+        for row in self.rows(table):
+            t = row["t"]
+            if t < leaves:
+                self.assertAlmostEqual(row["z"], a * math.sin(w * t), delta=1e-12)
+                self.assertAlmostEqual(row["reactions.table.multiplier"], 2 * (G - a * w * w * math.sin(w * t)), delta=1e-9)
+            elif t < lands:
+                self.assertAlmostEqual(row["z"], height(t), delta=1e-10)
+                self.assertEqual(row["reactions.table.multiplier"], 0)
+
+    @unittest.expectedFailure  # an impact with an impulse of 1e-15 follows it after 6e-11 s
+    def test_a_contact_that_opens_is_not_hit_at_once(self):
+        for samples in (301, 501, 601, 701):
+            _, events = self.go(TABLE, "--duration", "0.3", "--tolerance", "1e-12", "--samples", samples)
+            self.assertEqual([words for _, words, _ in events], ["table closed", "table open", "table hits", "table closed"], samples)
+
+    @unittest.expectedFailure  # a million of them in 20 s, and more: nothing but Ctrl-C ends it
+    def test_more_and_more_impacts_end_with_an_error(self):
+        # Two walls come together: before they do the ball meets them without end, faster each time.
+        self.write("walls.yaml", PAIR.replace("pair", "walls").replace(", y: {initial: 0.11}", "").replace(
+            ", b: {mass: M, position: [y, 0, 0]}", "").replace(
+            "touch: {gap: y - x - 0.1, restitution: 1}", "left: {gap: x + 1, restitution: 1}, right: {gap: 1 - t - x, restitution: 1}"))
+        result = self.run_it("run", "walls.yaml", "--duration", "3", "-q", "-o", "x.csv", timeout=8)
+        self.assertEqual(result.returncode, 5, result.stderr)
+        self.assertEqual(self.summary("x.json")["outcome"], "too many events")
+
+    def test_tolerances_and_methods_find_the_same_instants(self):
+        _, exact = self.go(STOP, "--duration", "5", "--tolerance", "1e-13")
+        for how in (["--tolerance", "1e-10"], ["--method", "dopri5", "--tolerance", "1e-11"], ["--method", "fehlberg78"],
+                    ["--longest-step", "0.002"], ["--samples", "2"], ["--engine", "interpreted"]):
+            _, events = self.go(STOP, "--duration", "5", *how)
+            self.assertEqual([words for _, words, _ in events], [words for _, words, _ in exact], how)
+            for (t, _, _), (other, _, _) in zip(events, exact):
+                self.assertAlmostEqual(t, other, delta=1e-9, msg=how)
+
+
+if __name__ == "__main__":
+    unittest.main()
