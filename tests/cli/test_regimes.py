@@ -133,7 +133,6 @@ class Regimes(Evaluate):
         self.write("named.yaml", LINK.replace("g: 9.81", "g: 9.81, T: 3").replace("2*m*g", "T"))
         self.ok("named.yaml", "-o", "-", "--regime", "rod=broken")
 
-    @unittest.expectedFailure  # nothing is said
     def test_a_restitution_that_no_impact_has_is_refused(self):
         for e in ("1.5", "-0.1"):
             self.write("bounce.yaml", BLOCK.replace("gap: z", f"gap: z, restitution: {e}"))

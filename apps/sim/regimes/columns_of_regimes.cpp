@@ -1,6 +1,11 @@
 #include "sim/regimes/columns_of_regimes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "support/error_codes.hpp"
+#include "support/suggest.hpp"
 
 namespace gausssim {
 
@@ -48,6 +53,23 @@ Column column_of_mode(const std::string& name) {
   return column;
 }
 
+Columns columns_of_modes(const Word& word, const std::vector<std::string>& names,
+                         gaussgen::support::Diagnostics& diagnostics) {
+  Columns found;
+  std::vector<std::string> known;
+  for (const std::string& name : names) {
+    known.push_back(k_group + "." + name);
+    if (word.text == k_group || word.text == known.back()) found.columns.push_back(column_of_mode(name));
+  }
+  if (found.columns.empty()) {
+    const std::string near = gaussgen::support::did_you_mean(word.text, known);
+    diagnostics.error(gaussgen::support::code::k_wrong_reference, word.span,
+                      fmt::format("the model has no output '{}'", word.text),
+                      near.empty() ? "there are " + gaussgen::support::joined(known) : near);
+  }
+  return found;
+}
+
 }  // namespace
 
 const std::string& switch_in_column(const Column& column) {
@@ -82,7 +104,11 @@ Columns columns_of_regimes(const Described& ground, const std::vector<Word>& wan
     }
   }
   if (wanted.empty()) return choose_columns(ground, wanted, diagnostics, list);
-  for (const Word& word : of_model) {
+  for (const Word& word : wanted) {
+    if (is_of_modes(word.text)) {
+      add(columns_of_modes(word, names, diagnostics));
+      continue;
+    }
     gaussgen::support::Diagnostics of_ground;
     add(choose_columns(ground, {word}, of_ground, list));
     bool is_known = !of_ground.has_errors();
@@ -93,12 +119,6 @@ Columns columns_of_regimes(const Described& ground, const std::vector<Word>& wan
     }
     if (is_known) continue;
     for (const auto& one : of_ground.all()) diagnostics.add(one);
-  }
-  for (const Word& word : wanted) {
-    if (!is_of_modes(word.text)) continue;
-    for (const std::string& name : names) {
-      if (word.text == k_group || word.text == k_group + "." + name) add({{column_of_mode(name)}, {}});
-    }
   }
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "gauss/event/crossing.hpp"
@@ -18,9 +19,13 @@ using Kind = gaussgen::model::Guard::Kind;
 
 namespace {
 
-constexpr int k_most_at_once = 100;         ///< events between which no time goes by
-constexpr int k_halvings = 3;               ///< of steps within which a guard may dip
-constexpr std::size_t k_most_tried = 4096;  ///< regimes at one instant
+constexpr const char* k_hits = "hits";
+constexpr int k_most_at_once = 100;          ///< events between which no time goes by
+constexpr int k_halvings = 3;                ///< of steps within which a guard may dip
+constexpr std::size_t k_most_touching = 11;  ///< contacts of which all ways to be open and closed are tried
+constexpr double k_densest = 1000;           ///< events in a second of motion, once there are so many
+constexpr std::size_t k_most_tried = 4096;   ///< regimes at one instant
+constexpr double k_touch = 1e-9;             ///< of coordinates: gaps that count as none
 constexpr double k_rest = 1e-8;  ///< of the time since the start: impacts that would end within it are at an end
 
 template <class S>
@@ -119,6 +124,21 @@ Progress<S> Hybrid<S>::progress() const {
 }
 
 template <class S>
+void Hybrid<S>::go_on_after(const std::vector<Event>& earlier) {
+  std::copy_if(earlier.begin(), earlier.end(), std::back_inserter(events_),
+               [this](const Event& event) { return event.t <= static_cast<double>(t_); });
+  modes_ = ground_modes();
+  for (const Event& event : events_) {
+    const std::size_t blank = event.what.rfind(' ');
+    const auto known = modes_.find(event.what.substr(0, blank));
+    const std::string mode = event.what.substr(blank + 1);
+    if (known == modes_.end() || mode == k_hits) continue;
+    known->second = mode;
+    if (mode == "broken") broken_.insert(known->first);
+  }
+}
+
+template <class S>
 bool Hybrid<S>::advance_to(const S& end) {
   if (!is_started_ && !start()) return false;
   while (t_ < end && outcome_ == Outcome::running) step(end);
@@ -175,16 +195,16 @@ bool Hybrid<S>::start() {
   std::set<std::string> closing;
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
-    if (standing.gaps[c] < -S(1e-9) * size) {
+    if (standing.gaps[c] < -S(k_touch) * size) {
       stop(Outcome::no_regime, fmt::format("the contact '{}' begins with a gap of {:.3g}: what touches overlaps", name,
                                            static_cast<double>(standing.gaps[c])));
       return false;
     }
-    if (standing.gaps[c] > S(1e-9) * size) continue;
+    if (standing.gaps[c] > S(k_touch) * size) continue;
     closed_.insert(name);
     if (standing.gap_rates[c] < -slow()) closing.insert(name);
   }
-  modes_ = ground_modes();
+  if (modes_.empty()) modes_ = ground_modes();
   if (!closing.empty()) hit(closing);
   return outcome_ == Outcome::running && settle({});
 }
@@ -239,7 +259,7 @@ void Hybrid<S>::hit(const std::set<std::string>& closing) {
   note_speeds(x_);
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
-    if (closing.count(name) > 0) note(name + " hits", static_cast<double>(found.impulses[l + c]));
+    if (closing.count(name) > 0) note(name + " " + k_hits, static_cast<double>(found.impulses[l + c]));
   }
 }
 
@@ -330,7 +350,8 @@ bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
                   standing.filled.end());
   std::string why;
   std::size_t tried = 0;
-  const std::size_t choices = touching.size() < 12 ? std::size_t(1) << touching.size() : 0;
+  const bool are_few = touching.size() <= k_most_touching;
+  const std::size_t choices = are_few ? std::size_t(1) << touching.size() : 0;
   for (std::size_t choice = 0; choice < std::max<std::size_t>(choices, 1); ++choice) {
     Modes modes = ground_modes();
     std::set<std::string> open_at_rest;
@@ -384,6 +405,10 @@ bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
       }
     }
   }
+  if (!are_few)
+    why += fmt::format(
+        "; of {} contacts that touch, all closed is tried alone, since no more than {} are tried in all ways",
+        touching.size(), k_most_touching);
   stop(Outcome::no_regime, fmt::format("contacts and friction leave no motion from here on ({})", why));
   return false;
 }
@@ -607,6 +632,16 @@ std::optional<typename Hybrid<S>::Place> Hybrid<S>::place_at(const S& t) const {
   return place;
 }
 
+/// Not what touches without a speed, as what has just opened does by rounding: it is a hit when it goes on closing.
+template <class S>
+bool Hybrid<S>::is_hit(const Watched& one, const S& at) const {
+  if (!one.is_told) return true;
+  const std::optional<Place> place = place_at(at);
+  if (!place) return true;
+  const S size = std::max(S(1e-3), largest_of(place->x.data(), ground_size_));
+  return place->rates[one.guard] < -slow() || place->values[one.guard] < -S(k_touch) * size;
+}
+
 /// The time at which a guard falls through 0 within the last step.
 template <class S>
 std::optional<S> Hybrid<S>::crossing(const Watched& one) const {
@@ -637,9 +672,10 @@ std::optional<S> Hybrid<S>::crossing(const Watched& one) const {
       high_value = found;
     }
   }
-  if (!(low_value > S(0))) return from_.t;
+  if (!(low_value > S(0))) return is_hit(one, from_.t) ? std::optional<S>(from_.t) : std::nullopt;
   const S nearness = std::max(S(S(1e-13) * h), S(2 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(to_.t)));
-  return gauss::event::falls_through(low, low_value, high, high_value, nearness, value);
+  const S at = gauss::event::falls_through(low, low_value, high, high_value, nearness, value);
+  return is_hit(one, at) ? std::optional<S>(at) : std::nullopt;
 }
 
 /// Within the last step, by steps that end there.
@@ -665,6 +701,10 @@ void Hybrid<S>::happen(const S& t, const std::vector<Watched>& fired) {
   without_time_ = t - last_event_ > S(1e-12) * (t - start_) ? 0 : without_time_ + 1;
   t_ = t;
   x_ = *x;
+  const auto count = static_cast<double>(events_.size());
+  if (count > k_densest && count > k_densest * static_cast<double>(t_ - start_))
+    return stop(Outcome::too_many_events,
+                fmt::format("there are more than {} events in each second of the motion", k_densest));
   if (without_time_ > k_most_at_once)
     return stop(Outcome::too_many_events, "contacts and friction change without end at this instant");
   std::map<std::string, std::string> banned;

@@ -29,6 +29,9 @@ class Hybrid final : public Integrator<S> {
 
   Hybrid(std::shared_ptr<RegimeSource> source, Array start, const S& t, Setting setting);
 
+  /// Of an earlier run that ended here, or later: what was broken is so, and events are counted for both.
+  void go_on_after(const std::vector<Event>& earlier);
+
   bool advance_to(const S& end) override;
   S time() const override { return t_; }
   const Array& state() const override { return x_; }
@@ -73,6 +76,7 @@ class Hybrid final : public Integrator<S> {
   void look_at_guards(Place& place) const;
   void watch();
   std::optional<S> crossing(const Watched& one) const;
+  bool is_hit(const Watched& one, const S& at) const;
   std::optional<Place> dip(const Watched& one, const Place& low, const Place& high, int depth) const;
   std::optional<Place> place_at(const S& t) const;
   std::optional<Array> state_at(const S& t) const;

@@ -186,6 +186,8 @@ Simulated run_of(const Json& summary) {
   run.last_state = summary.at("last_state").get<std::vector<std::string>>();
   run.start_energy = summary["resume"].value("start_energy", std::string());
   run.kept_energy = summary["resume"].value("kept_energy", std::string());
+  for (const Json& event : summary["resume"].value("events", Json::array()))
+    run.events.push_back({event.at(0).get<double>(), event.at(1).get<std::string>(), event.at(2).get<double>()});
   return run;
 }
 
@@ -260,6 +262,7 @@ nlohmann::ordered_json resume_json(const PreparedModel& prepared, const Simulate
   result["end"] = end_of(run.last_row, run.last_state);
   if (!run.start_energy.empty()) result["start_energy"] = run.start_energy;
   if (!run.kept_energy.empty()) result["kept_energy"] = run.kept_energy;
+  for (const Event& event : run.events) result["events"].push_back({event.t, event.what, event.impulse});
   return result;
 }
 

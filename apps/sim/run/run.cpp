@@ -183,7 +183,6 @@ int run(const RunOptions& options, const FindSetting& find) {
   int code = cli::k_ok;
   const auto prepared = prepare_run(options, code);
   if (!prepared) return code;
-  if (options.resume) refuse_regimes(*prepared, "--resume");
   return Run(options, *prepared).make(find);
 }
 

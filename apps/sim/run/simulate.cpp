@@ -134,6 +134,7 @@ class Simulator {
     auto hybrid = std::make_unique<Hybrid<S>>(prepared_.regimes, start, from,
                                               typename Hybrid<S>::Setting{setting_.method, settings, change()});
     hybrid_ = hybrid.get();
+    if (earlier_ != nullptr) hybrid->go_on_after(earlier_->events);
     return hybrid;
   }
 

@@ -45,14 +45,20 @@ std::optional<S> least_inside(const Ends<S>& ends) {
 }
 
 /// Between `low`, where the function is positive, and `high`, where it is not: false position that never keeps one end for long (Illinois; Dowell and Jarratt,
-/// BIT 11 (1971) 168-174). `value(t)` may take long. The result is a time at which it is not positive, as near to the root as times have digits, or as
+/// BIT 11 (1971) 168-174), and halves where that is slow, as at roots of several folds. `value(t)` may take long. The result is a time at which it is not positive, as near to the root as times have digits, or as
 /// its value tells.
 template <class S, class Value>
 S falls_through(S low, S low_value, S high, S high_value, const S& nearness, const Value& value) {
   constexpr int k_most = 100;
+  constexpr int k_slow = 4;  ///< looks in which the interval ought to be halved
   int side = 0;
+  S before = high - low;
   for (int k = 0; k < k_most && nearness < high - low && high_value < S(0); ++k) {
     S middle = high - high_value * ((high - low) / (high_value - low_value));
+    if (k % k_slow == k_slow - 1) {
+      if (2 * (high - low) > before) middle = low + (high - low) / 2;
+      before = high - low;
+    }
     if (!(low < middle && middle < high)) middle = low + (high - low) / 2;
     const S found = value(middle);
     if (!(found == found)) break;

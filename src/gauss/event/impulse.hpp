@@ -102,6 +102,9 @@ class ImpactSolver {
     return false;
   }
 
+  /// Or what the number type still tells.
+  static S least(double part) { return std::max(S(part), S(64 * Math<S>::epsilon())); }
+
   /// Gauss-Seidel with projections: near enough to tell what has an impulse, and what slips which way.
   void relax() {
     constexpr int k_sweeps = 2000;
@@ -121,7 +124,7 @@ class ImpactSolver {
       }
       for (std::size_t f = 0; f < problem_.slips.size(); ++f)
         if (may_have_limit(f)) relax_friction(f, set);
-      if (!(moved > S(1e-14) * size)) return;
+      if (!(moved > least(1e-14) * size)) return;
     }
   }
 
@@ -159,7 +162,7 @@ class ImpactSolver {
   bool holds(const S&) const {
     S fastest = 0;
     for (const S& one : problem_.rates) fastest = std::max(fastest, magnitude_of(one));
-    const S rounding = S(1e-9) * fastest;
+    const S rounding = least(1e-9) * fastest;
     for (std::size_t c = 0; c < problem_.contacts(); ++c) {
       if (problem_.takes_part[c] == 0) continue;
       if (rate(problem_.constraints + c) < target(c) - rounding) return false;
@@ -186,7 +189,7 @@ class ImpactSolver {
         taken += impulses_[first + i] * impulses_[first + i];
       }
       const S most = limit(f);
-      const bool sticks = most > S(0) && Math<S>::sqrt(taken) < most * (S(1) - S(1e-9));
+      const bool sticks = most > S(0) && Math<S>::sqrt(taken) < most * (S(1) - least(1e-9));
       for (std::size_t i = 0; i < count; ++i) {
         if (sticks) {
           active.push_back(first + i);
@@ -219,7 +222,7 @@ class ImpactSolver {
     const std::size_t k = problem_.constraints + contact;
     S largest = 0;
     for (const S& one : impulses_) largest = std::max(largest, magnitude_of(one));
-    return impulses_[k] > S(1e-11) * largest;
+    return impulses_[k] > least(1e-11) * largest;
   }
 
   const ImpactProblem<S>& problem_;

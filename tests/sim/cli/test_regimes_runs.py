@@ -122,12 +122,10 @@ class Runs(Regimes):
         for mode, v in zip(table["modes.friction"], table["x_dot"]):
             self.assertEqual(mode, 2 if v > 0 else -2)
 
-    @unittest.expectedFailure  # those of modes come behind the others
     def test_columns_come_in_the_order_in_which_they_are_asked_for(self):
         table, _ = self.go(BOUNCE, "--duration", "1", "--outputs", "modes.floor,z_dot,z")
         self.assertEqual(list(table), ["t", "modes.floor", "z_dot", "z"])
 
-    @unittest.expectedFailure  # it is left out without a word
     def test_a_mode_of_nothing_is_refused(self):
         self.write("model.yaml", BOUNCE)
         said = self.refused(2, "run", "model.yaml", "--outputs", "modes.flor", "-o", "x.csv")
@@ -169,7 +167,6 @@ class Runs(Regimes):
             self.assertEqual(result.returncode, 5)
             self.assertRegex(result.stderr, "contacts.*(12|many|enumerat|at once)")
 
-    @unittest.expectedFailure  # each regime takes as many
     def test_steps_of_all_regimes_count_together(self):
         self.write("model.yaml", BOUNCE)
         result = self.run_it("run", "model.yaml", "-q", "--duration", "2", "--max-steps", "300", "-o", "x.csv")
@@ -193,17 +190,14 @@ class Runs(Regimes):
                 for one, other in zip(whole[name], parts[name], strict=True):
                     self.assertAlmostEqual(one, other, delta=1e-9)
 
-    @unittest.expectedFailure  # the rod holds again
     def test_what_is_broken_stays_so_when_a_run_goes_on(self):
         whole, parts, _, _ = self.in_two_parts(BY_EQUATION, 200, 1)
         self.assertAlmostEqual(whole["z"][-1], parts["z"][-1], delta=1e-9)
 
-    @unittest.expectedFailure  # only those of the second part are there
     def test_events_of_a_run_that_goes_on_are_those_of_the_whole(self):
         _, _, whole, parts = self.in_two_parts(STOP, 250, 2)
         self.assertEqual([words for _, words, _ in whole], [words for _, words, _ in parts])
 
-    @unittest.expectedFailure  # z = 1 - g/2 2^2 = -18.62, and all have finished: the floor is not there
     def test_trajectories_of_an_ensemble_meet_the_floor(self):
         self.write("model.yaml", BOUNCE)
         self.write("many.yaml", """gauss: 1
