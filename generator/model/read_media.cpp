@@ -112,7 +112,9 @@ void finish_buoyancy(PointForce& push, const std::vector<Force>& forces) {
     std::vector<Ast> terms;
     for (const Force& force : forces) {
       const auto* const field = std::get_if<UniformField>(&force.law);
-      if (field != nullptr) terms.push_back(negative_of(product_of(push.components[i], field->field[i])));
+      // A written 0 has no unit.
+      const bool acts = field != nullptr && !(field->field[i].kind == AstKind::number && field->field[i].number == 0);
+      if (acts) terms.push_back(negative_of(product_of(push.components[i], field->field[i])));
     }
     if (terms.empty()) {
       push.components[i] = number(0);

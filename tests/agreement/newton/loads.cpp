@@ -1,6 +1,7 @@
 #include "newton/loads.hpp"
 
 #include <set>
+#include <stdexcept>
 
 namespace agreement::newton {
 
@@ -27,6 +28,9 @@ class Loads {
   void apply(const gaussgen::model::Potential&) {}
   void apply(const gaussgen::model::GeneralizedForce&) {}
   void apply(const gaussgen::model::CoordinateSpring&) {}
+
+  /// Of models with regimes, which these equations do not have: nothing may pass for compared.
+  void apply(const gaussgen::model::Friction&) { throw std::logic_error("friction is not among these loads"); }
 
   void apply(const gaussgen::model::UniformField& law) {
     const Vector3 field = motion_(law.field).value;
