@@ -28,6 +28,7 @@ BEYOND_A_SCHEMA = [
     r"a line ends with CR alone here",  # which YAML allows
     r"'\w+' is there already",  # written out by 'count'
     r"there is no index '\w+' here",  # of 'counts', or of a 'count' around
+    r"force '\w+' has 'static_limit' beside 'smooth'",  # keys that only do not go together
     r"this does not belong to a whole number",  # 2.0, which is 2 to a schema; likewise 'gauss: +1' is 1
 ]
 
