@@ -10,7 +10,7 @@ install(DIRECTORY src/gauss DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHI
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # What the documents lead to lies beside them, as in the source.
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs models generated DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs models generated scenes DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES examples/turntable.cpp examples/long_swing.cpp examples/ensemble.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 install(DIRECTORY LICENSES DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
