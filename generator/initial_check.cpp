@@ -251,11 +251,40 @@ class InitialCheck {
   void report_violation(const Violation& violation) {
     if (mechanics_.vanishing.count(violation.index) > 0) return report_violation_of_vanishing(violation);
     const support::Span span = model_.constraints[violation.index].span;
+    if (const model::DryFriction* const friction = sticking(model_.constraints[violation.index]))
+      return report_slip(*friction, span, violation.residual);
     const std::string message = fmt::format("the initial state violates constraint '{}' by {}", violation.row->name,
                                             evaluate::to_decimal(violation.residual, 3));
     const std::string hint = positions_hold_ || violation.is_of_positions || !acts_on_open(violation)
                                  ? remedy(mechanics_, violation, values_)
                                  : "first let the positions fit: open rates are sought where they do";
+    if (options_.is_emitted) {
+      diagnostics_.error(support::code::k_impossible_start, span, message, hint);
+    } else {
+      diagnostics_.warning(support::code::k_violating_start, span, message, hint);
+    }
+  }
+
+  /// That by which a row is there.
+  const model::DryFriction* sticking(const model::Constraint& row) const {
+    for (const model::DryFriction& friction : model_.frictions) {
+      const auto is_row = [&](const model::Name& name) { return name.text == row.name.text; };
+      if (std::any_of(friction.rows.begin(), friction.rows.end(), is_row)) return &friction;
+    }
+    return nullptr;
+  }
+
+  /// Where nobody has said which regime, friction sticks.
+  void report_slip(const model::DryFriction& friction, support::Span span, const cln::cl_F& slip) {
+    const std::string& name = friction.name.text;
+    const bool has_sense = friction.law.slips.size() == 1;
+    const std::string message =
+        fmt::format("the initial state slips by {}, and this is the regime in which '{}' sticks",
+                    evaluate::to_decimal(slip, 3), name);
+    const std::string hint = fmt::format("--regime {}={} is that of this start; gauss-sim run finds it by itself", name,
+                                         !has_sense          ? "slides"
+                                         : cln::minusp(slip) ? "backwards"
+                                                             : "forwards");
     if (options_.is_emitted) {
       diagnostics_.error(support::code::k_impossible_start, span, message, hint);
     } else {

@@ -112,7 +112,6 @@ class Regimes(Evaluate):
         said = self.refused(1, "square.yaml", "--regime", "plane=closed", "--regime", "friction=forwards")
         self.assertIn("error[E044]", said)
 
-    @unittest.expectedFailure  # E070 of the constraint 'friction', which nobody wrote
     def test_no_speed_of_a_start_is_refused_for_friction_that_nobody_said_sticks(self):
         self.write("moves.yaml", RUBS.replace("{initial: 1}", "{initial: 1, initial_rate: 2}"))
         self.assertAlmostEqual(self.acceleration("moves.yaml", "x_ddot", "friction=forwards"), 1, delta=1e-15)

@@ -8,7 +8,7 @@ import unittest
 
 from gauss_sim import SPRING, Program
 
-COMMANDS = ["", "run", "advise", "study", "ensemble", "plot", "methods", "completion"]
+COMMANDS = ["", "run", "advise", "study", "ensemble", "effects", "plot", "methods", "completion"]
 BASH_WORDS = """
 source ./completion
 COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _gauss_sim; printf '%s\\n' "${COMPREPLY[@]}"
