@@ -19,7 +19,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 
-from harness import machine  # noqa: E402
+from harness import simulation  # noqa: E402
 
 MODEL = ROOT / "bench/models/chain_over_floor.yaml"
 TARGET = 1.10
@@ -63,14 +63,13 @@ def main():
     given = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="gauss effects ") as name:
         folder = pathlib.Path(name)
-        result = {"machine": machine.description(), "gauss": by_gauss(given.bin / "gauss-sim", folder, given.rounds),
+        result = {"gauss": by_gauss(given.bin / "gauss-sim", folder, given.rounds),
                   "mujoco": by_mujoco(folder, max(3, given.rounds // 3))}
     print(f"contacts that never act, chain of 10: {result['gauss']['ratio']:.3f} times as long as without them (goal: {TARGET})")
     if "ratio" in result["mujoco"]:
         print(f"MuJoCo with a floor that is never reached: {result['mujoco']['ratio']:.3f} times")
     if given.write:
-        path = ROOT / "bench/results/effects.json"
-        path.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+        simulation.write(simulation.EFFECTS, result)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What gauss-sim costs, on the page: driver.py, accuracy_time.py, ensemble.py, delivered.py, start.py and taylor.py of bench/ measure it, each into a JSON of its own."""
+"""What gauss-sim costs, on the page: driver.py, accuracy_time.py, ensemble.py, delivered.py, start.py, taylor.py and effects.py of bench/ measure it, each into a JSON of its own."""
 
 import datetime
 import json
@@ -13,6 +13,7 @@ ENSEMBLE = build.ROOT / "bench/results/ensemble.json"
 DELIVERED = build.ROOT / "bench/results/delivered.json"
 START = build.ROOT / "bench/results/start.json"
 TAYLOR = build.ROOT / "bench/results/taylor.json"
+EFFECTS = build.ROOT / "bench/results/effects.json"
 
 # With AVX2, and nothing that valgrind does not know.
 AVX2 = "x86-64-v3"
@@ -82,7 +83,7 @@ def table(head, rows):
     return "\n".join([lines[0], "|" + "---|" * len(head), *lines[1:]]) + "\n"
 
 
-def targets(driver, accuracy, ensemble, delivered, start, taylor):
+def targets(driver, accuracy, ensemble, delivered, start, taylor, effects):
     for way, limit in (("interpreted", 0.1), ("compiled the first time", 4), ("compiled before", 0.1)):
         yield at_most(f"from a command to the table of the ball, {way}", start["seconds"][way], limit, " s")
     for error, limit in (("1e-09", 0.75), ("1e-11", 0.67)):
@@ -106,6 +107,9 @@ def targets(driver, accuracy, ensemble, delivered, start, taylor):
         work = f"ensembles, two threads and all {ways[0]['lanes']} lanes of {of}, least of {len(ways)} models"
         yield faster(f"{work}, against one thread of scalar code", 1, min(map(to_scalar, problems.values())), 6)
         yield faster(f"{work}, against one thread whose series use the registers, too", 1, min(way["ratio"] for way in ways), 6)
+    theirs = effects["mujoco"].get("ratio")
+    beside = f" (MuJoCo with such a floor, in the same run: {number(theirs)})" if theirs else ""
+    yield at_most(f"chain of 10 with contacts that never act, time to that without{beside}", effects["gauss"]["ratio"], 1.1)
     found = [row for row in delivered["rows"] if row.get("delivered") is not None]
     if found:
         yield at_most("`run --error`: delivered over asked for, largest", max(row["delivered"] / row["asked"] for row in found), 1)
@@ -205,9 +209,9 @@ def machine_line(*documents):
 
 
 def block(*found):
-    driver, accuracy, ensemble, delivered, start, taylor = found
+    driver, accuracy, ensemble, delivered, start, taylor, effects = found
     scripts = {"`bench/driver.py`": driver, "`bench/accuracy_time.py`": accuracy, "`bench/ensemble.py`": ensemble, "`bench/delivered.py`": delivered,
-               "`bench/start.py`": start, "`bench/taylor.py`": taylor}
+               "`bench/start.py`": start, "`bench/taylor.py`": taylor, "`bench/effects.py`": effects}
     text = "## Simulations\n\n" + machine_line(*scripts.items())
     rows = [[one.work, one.target, one.reached, "yes" if one.is_met else "**no**"] for one in targets(*found)]
     text += table(["work", "target", "reached", "met"], rows) + "\n" + driver_block(driver)
@@ -216,7 +220,7 @@ def block(*found):
 
 
 def block_of_files():
-    files = [DRIVER, ACCURACY, ENSEMBLE, DELIVERED, START, TAYLOR]
+    files = [DRIVER, ACCURACY, ENSEMBLE, DELIVERED, START, TAYLOR, EFFECTS]
     if not all(file.exists() for file in files):
         return ""
     return block(*(json.loads(file.read_text(encoding="utf-8")) for file in files))
