@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/choices.hpp"
 #include "model/model.hpp"
 
 namespace gausssim {
