@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "artefact_builder.hpp"
+#include "artefacts.hpp"
 #include "assembly.hpp"
 #include "chart_check.hpp"
 #include "dumps.hpp"

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "ir/contract.hpp"
 #include "ir/removable.hpp"
 #include "ir/substitute.hpp"
 #include "kinematics/place_symbols.hpp"
