@@ -25,8 +25,7 @@ class Reader {
     SceneChoice choice;
     choice.name = name_of_code(text_of("scene").value_or(file.stem().string()));
     if (const auto model = text_of("model")) {
-      const std::filesystem::path path(*model);
-      choice.model = path.is_absolute() ? *model : (file.parent_path() / path).string();
+      choice.model = beside(source_.name(), *model);
     } else {
       diagnostics_.error(code::k_missing_key, root_.span, "a scene names its model", "write 'model: ball.yaml'");
     }
@@ -89,6 +88,11 @@ class Reader {
 };
 
 }  // namespace
+
+std::string beside(const std::string& file, const std::string& named) {
+  const std::filesystem::path path(named);
+  return path.is_absolute() ? named : (std::filesystem::path(file).parent_path() / path).string();
+}
 
 bool is_scene(const support::Source& source) {
   support::Diagnostics ignored;

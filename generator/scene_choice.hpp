@@ -23,6 +23,9 @@ struct SceneChoice {
 /// Whether the file is a scene, which names a model, and not a model itself. False for what is no YAML either: reading it as a model says what is wrong.
 bool is_scene(const support::Source& source);
 
+/// A file that a scene, or another file, names: from the folder of that.
+std::string beside(const std::string& file, const std::string& named);
+
 /// Nothing where it has mistakes, which are in `diagnostics`.
 std::optional<SceneChoice> read_scene_choice(const support::Source& scene, support::Diagnostics& diagnostics);
 

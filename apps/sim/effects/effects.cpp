@@ -21,13 +21,6 @@ namespace {
 
 namespace cli = gaussgen::cli;
 
-/// Of x.json as of x: each file has an ending of its own.
-std::string without_ending(const std::string& output) {
-  const std::filesystem::path path(output);
-  const bool is_ours = path.extension() == ".json" || path.extension() == ".svg" || path.extension() == ".yaml";
-  return is_ours ? (path.parent_path() / path.stem()).string() : output;
-}
-
 /// Beside the scene or model, which it names, so that the model is found from there.
 std::string lean_path(const EffectsOptions& options) {
   const std::filesystem::path file(options.file);
@@ -62,7 +55,8 @@ int effects(const EffectsOptions& options) {
   const Interruption interruption;
   Workbench bench(options);
   if (const int code = bench.begin(); code != cli::k_ok) return code;
-  const std::string output = without_ending(options.output.empty() ? bench.name() + ".effects" : options.output);
+  const std::string output =
+      options.output.empty() ? bench.name() + ".effects" : without_ending(options.output, {".json", ".svg", ".yaml"});
   for (const char* const ending : {".json", ".svg"}) check_writable(output + ending);
   const auto ladder = make_ladder(bench);
   if (!ladder) throw Interrupted{};

@@ -32,7 +32,7 @@ class Workbench {
   /// The run that others are compared with. Otherwise an exit code; why has been said.
   int begin();
 
-  /// Null: it was interrupted.
+  /// Run when it is asked for first.
   const Measured& measured(const EffectSet& acting);
 
   const std::string& name() const { return name_; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -16,6 +17,12 @@ namespace cli = gaussgen::cli;
 
 std::string summary_path(const std::string& csv) {
   return std::filesystem::path(csv).replace_extension(".json").string();
+}
+
+std::string without_ending(const std::string& path, const std::vector<std::string>& endings) {
+  const std::filesystem::path file(path);
+  const bool is_ours = std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
+  return is_ours ? (file.parent_path() / file.stem()).string() : path;
 }
 
 std::string events_path(const std::string& csv) {

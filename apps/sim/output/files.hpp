@@ -9,6 +9,9 @@ namespace gausssim {
 /// Beside its table.
 std::string summary_path(const std::string& csv);
 
+/// Of study.html as of study, where each of several files has an ending of its own: `path` without one of these.
+std::string without_ending(const std::string& path, const std::vector<std::string>& endings);
+
 /// What happened on the way, of a model with regimes.
 std::string events_path(const std::string& csv);
 

@@ -23,14 +23,6 @@ std::vector<std::string> switches_in(const Switches& switches) {
   return names;
 }
 
-Modes ground_of(const Switches& switches) {
-  Modes modes;
-  for (const ContactSwitch& contact : switches.contacts) modes[contact.name] = "open";
-  for (const FrictionSwitch& friction : switches.frictions) modes[friction.name] = "free";
-  for (const std::string& link : switches.links) modes[link] = "holds";
-  return modes;
-}
-
 /// Each contact closed by itself, with friction that sticks.
 std::vector<Modes> richer(const Switches& switches) {
   std::vector<Modes> all;

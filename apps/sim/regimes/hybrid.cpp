@@ -62,11 +62,8 @@ Hybrid<S>::Hybrid(std::shared_ptr<RegimeSource> source, Array start, const S& t,
 
 template <class S>
 Modes Hybrid<S>::ground_modes() const {
-  Modes modes;
-  const Switches& switches = source_->switches();
-  for (const ContactSwitch& contact : switches.contacts) modes[contact.name] = "open";
-  for (const FrictionSwitch& friction : switches.frictions) modes[friction.name] = "free";
-  for (const std::string& link : switches.links) modes[link] = broken_.count(link) > 0 ? "broken" : "holds";
+  Modes modes = ground_of(source_->switches());
+  for (const std::string& link : broken_) modes[link] = "broken";
   return modes;
 }
 

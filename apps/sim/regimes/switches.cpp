@@ -25,6 +25,14 @@ Switches switches_of(const model::Model& from) {
   return result;
 }
 
+Modes ground_of(const Switches& switches) {
+  Modes modes;
+  for (const ContactSwitch& contact : switches.contacts) modes[contact.name] = "open";
+  for (const FrictionSwitch& friction : switches.frictions) modes[friction.name] = "free";
+  for (const std::string& link : switches.links) modes[link] = "holds";
+  return modes;
+}
+
 std::vector<GuardOf> guards_of(const model::Model& from) {
   std::vector<GuardOf> result;
   for (const model::Guard& guard : from.guards) result.push_back({guard.name, guard.of.text, guard.kind});

@@ -36,6 +36,9 @@ struct Switches {
 /// Of a model as it was read, with its parameters.
 Switches switches_of(const gaussgen::model::Model& model);
 
+/// All contacts are open, no friction acts, and what may break holds.
+Modes ground_of(const Switches& switches);
+
 /// A function in the emitted struct Guards, in its order.
 struct GuardOf {
   std::string name, of;

@@ -94,11 +94,6 @@ std::vector<std::string> remarks_on_quaternions(const model::Model& read, const 
   return remarks;
 }
 
-std::string beside(const std::string& file, const std::string& named) {
-  const std::filesystem::path path(named);
-  return path.is_absolute() ? named : (std::filesystem::path(file).parent_path() / path).string();
-}
-
 /// The scene with another description of its motion.
 void take_form(const std::string& name, Scene& scene) {
   const auto form =
@@ -235,7 +230,7 @@ class Preparation {
     if (!request_.form.empty()) take_form(request_.form, scene);
     change(scene);
     unused_ = check_choices(scene, in_scene_);
-    result_.model_file = is_scene_ ? beside(request_.file, scene.model.text) : request_.file;
+    result_.model_file = is_scene_ ? gaussgen::beside(request_.file, scene.model.text) : request_.file;
     if (is_scene_ && scene.model.text.empty()) return !report_mistakes();
     if (is_scene_ && !std::filesystem::exists(result_.model_file))
       refuse_file(scene.model, result_.model_file);
@@ -254,7 +249,7 @@ class Preparation {
   void check_forms() {
     for (const GivenForm& form : result_.scene.forms) {
       if (!form.model) continue;
-      const std::string file = beside(request_.file, form.model->text);
+      const std::string file = gaussgen::beside(request_.file, form.model->text);
       if (!std::filesystem::exists(file)) refuse_file(*form.model, file);
     }
   }

@@ -103,18 +103,11 @@ int check_files(const StudyOptions& options) {
   return worst;
 }
 
-/// Of study.html as of study: each of the three files has an ending of its own.
-std::string without_ending(const std::string& output) {
-  const std::filesystem::path path(output);
-  const bool is_ours = path.extension() == ".html" || path.extension() == ".json" || path.extension() == ".csv";
-  return is_ours ? (path.parent_path() / path.stem()).string() : output;
-}
-
 }  // namespace
 
 int study(const StudyOptions& options) {
   const Interruption interruption;
-  const std::string output = without_ending(options.output);
+  const std::string output = without_ending(options.output, {".html", ".json", ".csv"});
   if (options.loosest < options.tightest)
     throw cli::UsageError(
         fmt::format("--loosest {:g} is tighter than --tightest {:g}", options.loosest, options.tightest));
