@@ -149,40 +149,19 @@ void Hybrid<S>::note_speeds(const Array& x) {
   fastest_ = std::max(fastest_, largest_of(x.data() + n_q, x.size() - n_q));
 }
 
-/// Of contacts and slips at the present state, without friction and with all contacts open.
 template <class S>
-bool Hybrid<S>::look(Standing& standing) {
+bool Hybrid<S>::look(Standing<S>& standing) {
   Regime<S>* const free = ground();
   if (free == nullptr) return false;
-  const Switches& switches = source_->switches();
-  const std::size_t n = free->functions().n_v, l = free->model().unit.constraints.size();
-  const std::size_t contacts = switches.contacts.size(), frictions = switches.frictions.size();
-  std::size_t slips = 0;
-  for (const FrictionSwitch& friction : switches.frictions) slips += friction.slips;
-  const std::size_t rows = l + contacts + slips;
-  const bool has_limits = contacts > 0 && frictions > 0;
-  standing = Standing{};
-  standing.filled.assign(n * n + rows * n + rows + contacts + (has_limits ? contacts * frictions : 0), S(0));
-  if (contacts + frictions == 0) return true;
-  if (!free->impact_system(t_, x_, standing.filled)) {
-    stop(Outcome::model_failed, "contacts and slips have no value here");
-    return false;
-  }
-  const S* const rates = standing.filled.data() + n * n + rows * n;
-  standing.gap_rates.assign(rates + l, rates + l + contacts);
-  standing.gaps.assign(rates + rows, rates + rows + contacts);
-  const S* next = rates + l + contacts;
-  for (const FrictionSwitch& friction : switches.frictions) {
-    standing.slips.emplace_back(next, next + friction.slips);
-    next += friction.slips;
-  }
-  return true;
+  if (find_standing(*free, source_->switches(), t_, x_, standing)) return true;
+  stop(Outcome::model_failed, "contacts and slips have no value here");
+  return false;
 }
 
 template <class S>
 bool Hybrid<S>::start() {
   is_started_ = true;
-  Standing standing;
+  Standing<S> standing;
   if (!look(standing)) return false;
   note_speeds(x_);
   const Switches& switches = source_->switches();
@@ -199,7 +178,7 @@ bool Hybrid<S>::start() {
     }
     if (standing.gaps[c] > S(k_touch) * size) continue;
     closed_.insert(name);
-    if (standing.gap_rates[c] < -slow()) closing.insert(name);
+    if (standing.gap_rate(c) < -slow()) closing.insert(name);
   }
   if (modes_.empty()) modes_ = ground_modes();
   if (!closing.empty()) hit(closing);
@@ -209,42 +188,25 @@ bool Hybrid<S>::start() {
 /// Impulses on all that touches, and rest where impacts would follow each other without end.
 template <class S>
 void Hybrid<S>::hit(const std::set<std::string>& closing) {
-  Standing standing;
+  Standing<S> standing;
   if (!look(standing)) return;
   const Switches& switches = source_->switches();
   Regime<S>* const free = ground();
-  const std::size_t n = free->functions().n_v, n_q = free->functions().n_q, l = free->model().unit.constraints.size();
-  gauss::event::ImpactProblem<S> problem;
-  problem.speeds = n;
-  problem.constraints = l;
-  const S* next = standing.filled.data();
-  problem.metric.assign(next, next + n * n);
-  next += n * n;
-  std::size_t rows = l + switches.contacts.size();
-  for (const FrictionSwitch& friction : switches.frictions) {
-    problem.slips.push_back(friction.slips);
-    rows += friction.slips;
-  }
-  problem.rows.assign(next, next + rows * n);
-  next += rows * n;
-  problem.rates.assign(next, next + rows);
-  next += rows + switches.contacts.size();
-  problem.limits.assign(next, static_cast<const S*>(standing.filled.data()) + standing.filled.size());
-  for (const ContactSwitch& contact : switches.contacts) {
-    problem.restitution.push_back(S(contact.restitution));
-    problem.takes_part.push_back(closed_.count(contact.name) > 0 || closing.count(contact.name) > 0 ? 1 : 0);
+  const std::size_t n_q = free->functions().n_q;
+  auto& problem = standing.impact;
+  for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
+    const std::string& name = switches.contacts[c].name;
+    problem.takes_part[c] = closed_.count(name) > 0 || closing.count(name) > 0 ? 1 : 0;
   }
   // How long the impacts that would follow take: a geometric series of flights.
   const S dt = S(1e-7) * std::max(S(t_ - last_event_), S(1e-7));
   const Array later = moved(x_, free->rates(t_, x_), dt);
-  Standing then;
-  then.filled.assign(standing.filled.size(), S(0));
-  free->impact_system(t_ + dt, later, then.filled);
-  const S* const rates_then = then.filled.data() + n * n + rows * n;
-  for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
-    const S e = problem.restitution[c], before = problem.rates[l + c];
+  Standing<S> then;
+  const bool is_known = find_standing(*free, switches, S(t_ + dt), later, then);
+  for (std::size_t c = 0; is_known && c < switches.contacts.size(); ++c) {
+    const S e = problem.restitution[c], before = standing.gap_rate(c);
     if (problem.takes_part[c] == 0 || !(e > S(0)) || !(e < S(1)) || !(before < S(0))) continue;
-    const S acceleration = (rates_then[l + c] - before) / dt;
+    const S acceleration = (then.gap_rate(c) - before) / dt;
     if (!(acceleration < S(0))) continue;
     const S rest = 2 * e * before / acceleration / (S(1) - e);
     if (rest < S(k_rest) * (t_ - start_) || rest < 64 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(t_))
@@ -252,11 +214,12 @@ void Hybrid<S>::hit(const std::set<std::string>& closing) {
   }
   const gauss::event::Impulses<S> found = gauss::event::ImpactSolver<S>(problem).solve();
   if (!found.is_found) return stop(Outcome::no_regime, "no impulses satisfy the law of this impact");
-  for (std::size_t i = 0; i < n; ++i) x_[n_q + i] += found.changes[i];
+  for (std::size_t i = 0; i < problem.speeds; ++i) x_[n_q + i] += found.changes[i];
   note_speeds(x_);
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
-    if (closing.count(name) > 0) note(name + " " + k_hits, static_cast<double>(found.impulses[l + c]));
+    if (closing.count(name) > 0)
+      note(name + " " + k_hits, static_cast<double>(found.impulses[problem.constraints + c]));
   }
 }
 
@@ -322,7 +285,7 @@ bool Hybrid<S>::is_consistent(const Modes& modes, const std::set<std::string>& o
 template <class S>
 bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
   if (outcome_ != Outcome::running) return false;
-  Standing standing;
+  Standing<S> standing;
   if (!look(standing)) return false;
   const Switches& switches = source_->switches();
   const auto is_banned = [&](const std::string& name, const std::string& mode) {
@@ -334,17 +297,13 @@ bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
     if (closed_.count(name) == 0) continue;
-    if (standing.gap_rates[c] > slow()) {
+    if (standing.gap_rate(c) > slow()) {
       closed_.erase(name);
     } else {
       touching.push_back(name);
     }
   }
   const std::size_t contacts = switches.contacts.size();
-  std::vector<S> limits;
-  if (contacts > 0 && !switches.frictions.empty())
-    limits.assign(standing.filled.end() - static_cast<std::ptrdiff_t>(contacts * switches.frictions.size()),
-                  standing.filled.end());
   std::string why;
   std::size_t tried = 0;
   const bool are_few = touching.size() <= k_most_touching;
@@ -366,15 +325,16 @@ bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
       const FrictionSwitch& friction = switches.frictions[f];
       bool is_of_contacts = false, acts = false;
       for (std::size_t c = 0; c < contacts; ++c) {
-        if (!(gauss::event::magnitude_of(limits[f * contacts + c]) > S(0))) continue;
+        if (!standing.has_limit(f, c)) continue;
         is_of_contacts = true;
         acts = acts || modes.at(switches.contacts[c].name) == "closed";
       }
       if (is_of_contacts && !acts) continue;
-      const bool slips = halted_.count(friction.name) == 0 && length_of(standing.slips[f]) > slow();
+      const std::vector<S> slip = standing.slip(f);
+      const bool slips = halted_.count(friction.name) == 0 && length_of(slip) > slow();
       std::vector<std::string> ways;
       if (slips) {
-        ways = {friction.sliding(friction.slips == 1 && standing.slips[f][0] < S(0))};
+        ways = {friction.sliding(friction.slips == 1 && slip[0] < S(0))};
       } else {
         ways = {"sticks", friction.sliding(false)};
         if (friction.slips == 1) ways.emplace_back(friction.sliding(true));
@@ -417,44 +377,37 @@ bool Hybrid<S>::enter(const Modes& modes) {
   Regime<S>* const regime = regime_at(modes, why);
   for (const FrictionSwitch& friction : source_->switches().frictions) {
     if (friction.slips < 2 || modes.at(friction.name) != "slides") continue;
-    Standing standing;
+    Standing<S> standing;
     if (!look(standing)) return false;
     std::size_t f = 0;
     while (source_->switches().frictions[f].name != friction.name) ++f;
-    const std::size_t n_q = regime->functions().n_q, n = regime->functions().n_v;
-    if (halted_.count(friction.name) == 0 && length_of(standing.slips[f]) > slow()) continue;
+    const auto& impact = standing.impact;
+    const std::vector<S> slip = standing.slip(f);
+    const std::size_t n_q = regime->functions().n_q, n = impact.speeds;
+    if (halted_.count(friction.name) == 0 && length_of(slip) > slow()) continue;
     const std::vector<S> driven = slip_accelerations(modes, friction.name, x_);
     const S size = length_of(driven);
     if (!(size > S(0))) continue;
     // The least change of speeds that slips so, and leaves closed contacts and constraints as they are.
-    const std::size_t contacts = source_->switches().contacts.size();
-    const std::size_t of_constraints = ground()->model().unit.constraints.size();
-    std::size_t rows = of_constraints + contacts;
-    std::size_t first = rows;
-    for (std::size_t k = 0; k < source_->switches().frictions.size(); ++k) {
-      if (k < f) first += source_->switches().frictions[k].slips;
-      rows += source_->switches().frictions[k].slips;
-    }
     std::vector<std::size_t> chosen;
-    for (std::size_t k = 0; k < of_constraints; ++k) chosen.push_back(k);
-    for (std::size_t c = 0; c < contacts; ++c)
-      if (modes.at(source_->switches().contacts[c].name) == "closed") chosen.push_back(of_constraints + c);
-    chosen.push_back(first);
-    chosen.push_back(first + 1);
+    for (std::size_t k = 0; k < impact.constraints; ++k) chosen.push_back(k);
+    for (std::size_t c = 0; c < impact.contacts(); ++c)
+      if (modes.at(source_->switches().contacts[c].name) == "closed") chosen.push_back(impact.constraints + c);
+    for (std::size_t i = 0; i < 2; ++i) chosen.push_back(impact.first_slip(f) + i);
     gauss::event::DenseMatrix<S> system(n + chosen.size(), n + chosen.size());
     std::vector<S> right(n + chosen.size(), S(0));
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) system(i, j) = standing.filled[i * n + j];
+      for (std::size_t j = 0; j < n; ++j) system(i, j) = impact.metric[i * n + j];
     for (std::size_t k = 0; k < chosen.size(); ++k) {
       for (std::size_t i = 0; i < n; ++i) {
-        const S entry = standing.filled[n * n + chosen[k] * n + i];
+        const S entry = impact.rows[chosen[k] * n + i];
         system(n + k, i) = entry;
         system(i, n + k) = entry;
       }
     }
     const S speed = S(1e-12) * std::max(fastest_, size);
-    right[n + chosen.size() - 2] = speed * driven[0] / size - standing.slips[f][0];
-    right[n + chosen.size() - 1] = speed * driven[1] / size - standing.slips[f][1];
+    right[n + chosen.size() - 2] = speed * driven[0] / size - slip[0];
+    right[n + chosen.size() - 1] = speed * driven[1] / size - slip[1];
     const std::vector<S> change = gauss::event::solve_dense(std::move(system), std::move(right));
     for (std::size_t i = 0; i < n; ++i) x_[n_q + i] += change[i];
   }

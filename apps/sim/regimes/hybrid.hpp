@@ -13,7 +13,7 @@
 #include "sim/drive/stopwatch.hpp"
 #include "sim/methods/methods.hpp"
 #include "sim/regimes/event.hpp"
-#include "sim/regimes/regime.hpp"
+#include "sim/regimes/standing.hpp"
 
 namespace gausssim {
 
@@ -58,12 +58,6 @@ class Hybrid final : public Integrator<S> {
     S sense;       ///< of a slip that is 0 at the end of its sliding; 1 for others
     bool is_told;  ///< its rate is the guard behind it
   };
-  /// How contacts and friction stand, whatever their modes.
-  struct Standing {
-    std::vector<S> filled;              ///< impact_system
-    std::vector<S> gaps, gap_rates;     ///< of contacts
-    std::vector<std::vector<S>> slips;  ///< of frictions
-  };
 
   Regime<S>* regime_at(const Modes& modes, std::string& why);
   bool start();
@@ -84,7 +78,8 @@ class Hybrid final : public Integrator<S> {
   void happen(const S& t, const std::vector<Watched>& fired);
 
   Regime<S>* ground();
-  bool look(Standing& standing);
+  /// At the present state.
+  bool look(Standing<S>& standing);
   void hit(const std::set<std::string>& closing);
   bool settle(const std::map<std::string, std::string>& banned);
   bool is_consistent(const Modes& modes, const std::set<std::string>& open_at_rest, Array& x, std::string& why);

@@ -1,0 +1,56 @@
+#pragma once
+// How contacts and friction stand at a state, whatever their modes.
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "gauss/event/impulse.hpp"
+#include "sim/regimes/regime.hpp"
+
+namespace gausssim {
+
+template <class S>
+struct Standing {
+  gauss::event::ImpactProblem<S> impact;  ///< with the restitution of the model, and with no contact that takes part
+  std::vector<S> gaps;
+
+  const S& gap_rate(std::size_t contact) const { return impact.rates[impact.constraints + contact]; }
+  bool has_limit(std::size_t friction, std::size_t contact) const {
+    return gauss::event::magnitude_of(impact.limits[friction * impact.contacts() + contact]) > S(0);
+  }
+  std::vector<S> slip(std::size_t friction) const {
+    const auto first = impact.rates.begin() + static_cast<std::ptrdiff_t>(impact.first_slip(friction));
+    return {first, first + static_cast<std::ptrdiff_t>(impact.slips[friction])};
+  }
+};
+
+/// False: they have no value there. `ground`: the regime in which all contacts are open and no friction acts, whose `impact_system`
+/// has these parts one after another (docs/emitted-code.md).
+template <class S>
+bool find_standing(const Regime<S>& ground, const Switches& switches, const S& t, const Numbers<S>& x,
+                   Standing<S>& standing) {
+  auto& impact = standing.impact;
+  impact = {};
+  impact.speeds = ground.functions().n_v;
+  impact.constraints = ground.model().unit.constraints.size();
+  for (const ContactSwitch& contact : switches.contacts) {
+    impact.restitution.push_back(S(contact.restitution));
+    impact.takes_part.push_back(0);
+  }
+  for (const FrictionSwitch& friction : switches.frictions) impact.slips.push_back(friction.slips);
+  const std::size_t n = impact.speeds, contacts = impact.contacts(), frictions = impact.slips.size();
+  const std::size_t rows = impact.first_slip(frictions);
+  std::vector<S> filled(n * n + rows * n + rows + contacts + contacts * frictions, S(0));
+  if (contacts + frictions > 0 && !ground.impact_system(t, x, filled)) return false;
+  auto next = static_cast<const S*>(filled.data());
+  for (const auto& [part, size] :
+       {std::pair{&impact.metric, n * n}, std::pair{&impact.rows, rows * n}, std::pair{&impact.rates, rows},
+        std::pair{&standing.gaps, contacts}, std::pair{&impact.limits, contacts * frictions}}) {
+    part->assign(next, next + size);
+    next += size;
+  }
+  return true;
+}
+
+}  // namespace gausssim
