@@ -6,13 +6,16 @@
 #include <chrono>
 
 #include "cli/exit_codes.hpp"
+#include "cli/files.hpp"
 #include "cli/usage_error.hpp"
+#include "scene_choice.hpp"
 #include "sim/drive/stopwatch.hpp"
 #include "sim/engine/binding.hpp"
 #include "sim/run/engines.hpp"
 #include "sim/run/in_rows.hpp"
 #include "sim/run/setting.hpp"
 #include "sim/run/settings.hpp"
+#include "sim/scene/read_scene.hpp"
 
 namespace gausssim {
 
@@ -63,44 +66,39 @@ std::string why_it_ends(const Simulated& run) {
   return fmt::format("{} at t = {:.6g} s", gauss::simulate::name(run.outcome), run.reached);
 }
 
+/// Where neither options nor the scene say it: all effects, and the state, since energies would say as much as everything else together, of
+/// effects that have some.
+void choose_what_is_shown(RunOptions& options) {
+  const auto source = cli::read_source(options.file);
+  Scene scene;
+  gaussgen::support::Diagnostics said_later;
+  if (gaussgen::is_scene(source)) scene = read_scene(source, said_later).value_or(Scene());
+  if (options.outputs.empty() && scene.outputs.empty()) options.outputs = {"state"};
+  if (options.effects.empty() && scene.effects.empty()) options.effects = {"all"};
+}
+
 }  // namespace
 
 int Workbench::begin() {
-  const RunOptions as_given = options_;
+  const cli::MessageOptions messages = options_.messages;
+  choose_what_is_shown(options_);
   int code = cli::k_ok;
-  const auto with_default_outputs = [](const RunOptions& options, int& exit_code) {
-    auto prepared = prepare_run(options, exit_code);
-    if (!prepared || !prepared->scene.outputs.empty()) return prepared;
-    // Energies would say as much as everything else together, of effects that have some.
-    RunOptions of_state = options;
-    of_state.outputs = {"state"};
-    of_state.messages.is_silent = true;
-    return prepare_run(of_state, exit_code);
-  };
-  auto prepared = with_default_outputs(options_, code);
+  const auto prepared = prepare_run(options_, code);
   if (!prepared) return code;
   if (!prepared->has_effects())
     throw cli::UsageError(
         fmt::format("'{}' has no effects; docs/effects.md says how a model gets some", options_.file));
-  // A scene that does not choose shows what there is.
-  if (prepared->scene.effects.empty()) {
-    options_.effects = {"all"};
-    prepared = with_default_outputs(options_, code);
-    if (!prepared) return code;
-  }
   if (prepared->scene.error)
     throw cli::UsageError("'error' looks for a setting: name a method and a tolerance instead, for all runs");
   if (prepared->effects.empty()) throw cli::UsageError("none of the effects acts: --effects all takes all of them");
   options_.messages.is_silent = true;
-  options_.outputs.clear();
-  for (const Word& word : prepared->scene.outputs) options_.outputs.push_back(word.text);
   name_ = prepared->name();
   effects_ = prepared->known_effects;
   all_ = {prepared->effects.begin(), prepared->effects.end()};
   columns_ = prepared->columns.columns;
   duration_ = prepared->span.duration;
   const Measured of_all = measure(*prepared, all_);
-  if (!of_all.why.empty()) return cli::fail(of_all.why, cli::k_motion_stopped, as_given.messages);
+  if (!of_all.why.empty()) return cli::fail(of_all.why, cli::k_motion_stopped, messages);
   known_[all_] = of_all;
   return cli::k_ok;
 }

@@ -427,6 +427,11 @@ bool Hybrid<S>::enter(const Modes& modes) {
     before_.why.clear();
   }
   MethodSettings<S> settings = setting_.of_method;
+  settings.most_steps -= before_.steps;
+  if (settings.most_steps <= 0) {
+    stop(Outcome::too_many_steps, "");
+    return false;
+  }
   inner_ = make_integrator(setting_.method, regime_->motion(), x_, t_, settings, why);
   if (!inner_) inner_ = make_integrator("prince87", regime_->motion(), x_, t_, settings, why = "");
   if (!inner_) stop(Outcome::bad_settings, why);
@@ -504,8 +509,6 @@ void Hybrid<S>::step(const S& end) {
       return happen(t_, {});
     }
   }
-  if (setting_.of_method.most_steps > 0 && progress().steps >= setting_.of_method.most_steps)
-    return stop(Outcome::too_many_steps, "");
   if (!is_from_known_) {
     from_.t = t_;
     from_.x = x_;
