@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
-#include "gauss/event/crossing.hpp"
 #include "gauss/event/impulse.hpp"
 #include "gauss/scalar/float128.hpp"
 #include "sim/drive/quad.hpp"
@@ -21,32 +19,16 @@ namespace {
 
 constexpr const char* k_hits = "hits";
 constexpr int k_most_at_once = 100;          ///< events between which no time goes by
-constexpr int k_halvings = 3;                ///< of steps within which a guard may dip
 constexpr std::size_t k_most_touching = 11;  ///< contacts of which all ways to be open and closed are tried
 constexpr double k_densest = 1000;           ///< events in a second of motion, once there are so many
 constexpr std::size_t k_most_tried = 4096;   ///< regimes at one instant
-constexpr double k_touch = 1e-9;             ///< of coordinates: gaps that count as none
 constexpr double k_rest = 1e-8;  ///< of the time since the start: impacts that would end within it are at an end
-
-template <class S>
-S largest_of(const S* values, std::size_t count) {
-  S result = 0;
-  for (std::size_t i = 0; i < count; ++i) result = std::max(result, gauss::event::magnitude_of(values[i]));
-  return result;
-}
 
 template <class S>
 S length_of(const std::vector<S>& v) {
   S square = 0;
   for (const S& one : v) square += one * one;
   return gauss::Math<S>::sqrt(square);
-}
-
-template <class Array, class S>
-Array moved(const Array& x, const Array& rates, const S& dt) {
-  Array result = x;
-  for (std::size_t i = 0; i < x.size(); ++i) result[i] += dt * rates[i];
-  return result;
 }
 
 }  // namespace
@@ -144,9 +126,7 @@ bool Hybrid<S>::advance_to(const S& end) {
 
 template <class S>
 void Hybrid<S>::note_speeds(const Array& x) {
-  const std::size_t n_q = ground_size_ == 0 ? ground()->functions().n_q : ground_size_;
-  ground_size_ = n_q;
-  fastest_ = std::max(fastest_, largest_of(x.data() + n_q, x.size() - n_q));
+  fastest_ = std::max(fastest_, largest_of(x.data() + coordinates_, x.size() - coordinates_));
 }
 
 template <class S>
@@ -163,20 +143,19 @@ bool Hybrid<S>::start() {
   is_started_ = true;
   Standing<S> standing;
   if (!look(standing)) return false;
+  coordinates_ = ground()->functions().n_q;
   note_speeds(x_);
   const Switches& switches = source_->switches();
-  Regime<S>* const free = ground();
-  const std::size_t n_q = free->functions().n_q;
-  const S size = std::max(S(1e-3), largest_of(x_.data(), n_q));
+  const S touch = gap_that_is_none<S>(x_, coordinates_);
   std::set<std::string> closing;
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
-    if (standing.gaps[c] < -S(k_touch) * size) {
+    if (standing.gaps[c] < -touch) {
       stop(Outcome::no_regime, fmt::format("the contact '{}' begins with a gap of {:.3g}: what touches overlaps", name,
                                            static_cast<double>(standing.gaps[c])));
       return false;
     }
-    if (standing.gaps[c] > S(k_touch) * size) continue;
+    if (standing.gaps[c] > touch) continue;
     closed_.insert(name);
     if (standing.gap_rate(c) < -slow()) closing.insert(name);
   }
@@ -435,7 +414,11 @@ bool Hybrid<S>::enter(const Modes& modes) {
   inner_ = make_integrator(setting_.method, regime_->motion(), x_, t_, settings, why);
   if (!inner_) inner_ = make_integrator("prince87", regime_->motion(), x_, t_, settings, why = "");
   if (!inner_) stop(Outcome::bad_settings, why);
-  watch();
+  slipping_.clear();
+  for (const FrictionSwitch& friction : source_->switches().frictions) {
+    if (modes_.at(friction.name) == "slides") slipping_.push_back(&friction);
+  }
+  last_step_.emplace(*regime_, modes_, t_, x_, setting_.method, setting_.of_method);
   return inner_ != nullptr;
 }
 
@@ -462,40 +445,6 @@ S Hybrid<S>::cap(const S& end, std::string& halting) const {
   return result;
 }
 
-/// What may end the regime that is in force now.
-template <class S>
-void Hybrid<S>::watch() {
-  watched_.clear();
-  slipping_.clear();
-  for (std::size_t g = 0; g < regime_->guards().size(); ++g) {
-    const GuardOf& guard = regime_->guards()[g];
-    const std::string& mode = modes_.at(guard.of);
-    if (guard.kind == Kind::falls) watched_.push_back({g, S(1), mode == "open"});
-    if (guard.kind == Kind::slip && mode != "slides") watched_.push_back({g, S(mode == "backwards" ? -1 : 1), false});
-  }
-  for (const FrictionSwitch& friction : source_->switches().frictions) {
-    if (modes_.at(friction.name) == "slides") slipping_.push_back(&friction);
-  }
-  is_from_known_ = false;
-}
-
-/// Rates of gaps are told; those of others follow from a look a little later.
-template <class S>
-void Hybrid<S>::look_at_guards(Place& place) const {
-  regime_->fill_guards(place.t, place.x, place.values);
-  place.rates.resize(place.values.size());
-  bool are_told = true;
-  for (const Watched& one : watched_) {
-    are_told = are_told && one.is_told;
-    if (one.is_told) place.rates[one.guard] = place.values[one.guard + 1];
-  }
-  if (are_told) return;
-  const S dt = S(1e-7) * std::max(S(place.t - last_event_), S(1e-6));
-  const std::vector<S> then = regime_->guard_values(place.t + dt, moved(place.x, regime_->rates(place.t, place.x), dt));
-  for (const Watched& one : watched_)
-    if (!one.is_told) place.rates[one.guard] = (then[one.guard] - place.values[one.guard]) / dt;
-}
-
 template <class S>
 void Hybrid<S>::step(const S& end) {
   std::string halting;
@@ -503,17 +452,9 @@ void Hybrid<S>::step(const S& end) {
   if (target < end) {
     const S least = 16 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(t_);
     if (target - t_ <= std::max(least, S(S(1e-13) * (t_ - last_event_)))) {
-      from_.t = t_;
-      from_.x = x_;
       halted_.insert(halting);
-      return happen(t_, {});
+      return happen(t_, Array(x_), {});
     }
-  }
-  if (!is_from_known_) {
-    from_.t = t_;
-    from_.x = x_;
-    look_at_guards(from_);
-    is_from_known_ = true;
   }
   if (!inner_->step_towards(target)) {
     const Progress<S> own = inner_->progress();
@@ -521,139 +462,23 @@ void Hybrid<S>::step(const S& end) {
     x_ = inner_->state();
     return stop(own.outcome == Outcome::running ? Outcome::step_too_small : own.outcome, own.why);
   }
-  to_.t = inner_->time();
-  to_.x = inner_->state();
-  note_speeds(to_.x);
-  look_at_guards(to_);
-  std::optional<S> first;
-  std::vector<std::pair<S, Watched>> found;
-  for (const Watched& one : watched_) {
-    const std::optional<S> at = crossing(one);
-    if (!at) continue;
-    found.emplace_back(*at, one);
-    if (!first || *at < *first) first = *at;
+  note_speeds(inner_->state());
+  last_step_->end_at(inner_->time(), inner_->state());
+  if (const auto fired = last_step_->first(slow())) {
+    const std::optional<Array> x = last_step_->state_at(fired->t);
+    return x ? happen(fired->t, *x, fired->guards)
+             : stop(Outcome::step_too_small, "the instant of an event cannot be found");
   }
-  if (!first) {
-    t_ = to_.t;
-    x_ = to_.x;
-    std::swap(from_, to_);
-    without_time_ = 0;
-    return;
-  }
-  // Those of one instant are one event.
-  const S together =
-      std::max(S(S(1e-12) * (to_.t - from_.t)), S(4 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(*first)));
-  std::vector<Watched> fired;
-  for (const auto& [at, one] : found)
-    if (at <= *first + together) fired.push_back(one);
-  happen(*first, fired);
-}
-
-/// A place within the last step at which the guard is below 0, between two at which it is not; nothing where there is none. A cubic stands for the guard
-/// where it is far above 0 beside its changes, or right at half of the step.
-template <class S>
-std::optional<typename Hybrid<S>::Place> Hybrid<S>::dip(const Watched& one, const Place& low, const Place& high,
-                                                        int depth) const {
-  const std::size_t g = one.guard;
-  const S h = high.t - low.t;
-  const gauss::event::Ends<S> ends{one.sense * low.values[g], h * one.sense * low.rates[g], one.sense * high.values[g],
-                                   h * one.sense * high.rates[g]};
-  const S least = ends.least_control();
-  if (least > ends.largest_control() - least) return std::nullopt;
-  if (depth == 0) {
-    const std::optional<S> part = gauss::event::least_inside(ends);
-    if (!part || !(ends(*part) < S(0))) return std::nullopt;
-    std::optional<Place> found = place_at(low.t + *part * h);
-    return found && one.sense * found->values[g] < S(0) ? found : std::nullopt;
-  }
-  std::optional<Place> middle = place_at(low.t + h / 2);
-  if (!middle || one.sense * middle->values[g] < S(0)) return middle;
-  const S off = gauss::event::magnitude_of(S(one.sense * middle->values[g] - ends(S(0.5))));
-  if (least > 4 * off) return std::nullopt;
-  if (auto found = dip(one, low, *middle, depth - 1)) return found;
-  return dip(one, *middle, high, depth - 1);
+  t_ = inner_->time();
+  x_ = inner_->state();
+  without_time_ = 0;
 }
 
 template <class S>
-std::optional<typename Hybrid<S>::Place> Hybrid<S>::place_at(const S& t) const {
-  const std::optional<Array> x = state_at(t);
-  if (!x) return std::nullopt;
-  Place place;
-  place.t = t;
-  place.x = *x;
-  look_at_guards(place);
-  return place;
-}
-
-/// Not what touches without a speed, as what has just opened does by rounding: it is a hit when it goes on closing.
-template <class S>
-bool Hybrid<S>::is_hit(const Watched& one, const S& at) const {
-  if (!one.is_told) return true;
-  const std::optional<Place> place = place_at(at);
-  if (!place) return true;
-  const S size = std::max(S(1e-3), largest_of(place->x.data(), ground_size_));
-  return place->rates[one.guard] < -slow() || place->values[one.guard] < -S(k_touch) * size;
-}
-
-/// The time at which a guard falls through 0 within the last step.
-template <class S>
-std::optional<S> Hybrid<S>::crossing(const Watched& one) const {
-  const std::size_t g = one.guard;
-  const S h = to_.t - from_.t, begin = one.sense * from_.values[g], end = one.sense * to_.values[g];
-  const auto value = [&](const S& at) { return value_at(at, one); };
-  S high = to_.t, high_value = end;
-  if (!(end < S(0))) {
-    const std::optional<Place> below = dip(one, from_, to_, k_halvings);
-    if (!below) return std::nullopt;
-    high = below->t;
-    high_value = one.sense * below->values[g];
-  }
-  // What rounding has left a little below 0 is no event while it rises.
-  if (!(begin > S(0)) && one.sense * from_.rates[g] > S(0) && high_value >= begin) return std::nullopt;
-  // What has just been at 0 is above it for a while, unless it falls at once.
-  S low = from_.t, low_value = begin;
-  constexpr int k_looks = 40;
-  for (int k = 0; k < k_looks && !(low_value > S(0)); ++k) {
-    const S at = from_.t + (high - from_.t) / 2;
-    if (!(from_.t < at && at < high)) break;
-    const S found = value(at);
-    if (found > S(0)) {
-      low = at;
-      low_value = found;
-    } else {
-      high = at;
-      high_value = found;
-    }
-  }
-  if (!(low_value > S(0))) return is_hit(one, from_.t) ? std::optional<S>(from_.t) : std::nullopt;
-  const S nearness = std::max(S(S(1e-13) * h), S(2 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(to_.t)));
-  const S at = gauss::event::falls_through(low, low_value, high, high_value, nearness, value);
-  return is_hit(one, at) ? std::optional<S>(at) : std::nullopt;
-}
-
-/// Within the last step, by steps that end there.
-template <class S>
-std::optional<typename Hybrid<S>::Array> Hybrid<S>::state_at(const S& t) const {
-  if (!(from_.t < t)) return from_.x;
-  std::string why;
-  const auto again = make_integrator(setting_.method, regime_->motion(), from_.x, from_.t, setting_.of_method, why);
-  if (!again || !again->advance_to(t)) return std::nullopt;
-  return again->state();
-}
-
-template <class S>
-S Hybrid<S>::value_at(const S& t, const Watched& one) const {
-  const std::optional<Array> x = state_at(t);
-  return x ? S(one.sense * regime_->guard_values(t, *x)[one.guard]) : S(std::numeric_limits<double>::quiet_NaN());
-}
-
-template <class S>
-void Hybrid<S>::happen(const S& t, const std::vector<Watched>& fired) {
-  const std::optional<Array> x = state_at(t);
-  if (!x) return stop(Outcome::step_too_small, "the instant of an event cannot be found");
+void Hybrid<S>::happen(const S& t, const Array& x, const std::vector<std::size_t>& fired) {
   without_time_ = t - last_event_ > S(1e-12) * (t - start_) ? 0 : without_time_ + 1;
   t_ = t;
-  x_ = *x;
+  x_ = x;
   const auto count = static_cast<double>(events_.size());
   if (count > k_densest && count > k_densest * static_cast<double>(t_ - start_))
     return stop(Outcome::too_many_events,
@@ -662,11 +487,11 @@ void Hybrid<S>::happen(const S& t, const std::vector<Watched>& fired) {
     return stop(Outcome::too_many_events, "contacts and friction change without end at this instant");
   std::map<std::string, std::string> banned;
   std::set<std::string> closing;
-  for (const Watched& one : fired) {
-    const std::string& name = regime_->guards()[one.guard].of;
+  for (const std::size_t guard : fired) {
+    const std::string& name = regime_->guards()[guard].of;
     const std::string& mode = modes_.at(name);
     if (mode == "holds") broken_.insert(name);
-    if (regime_->guards()[one.guard].kind == Kind::slip) halted_.insert(name);
+    if (regime_->guards()[guard].kind == Kind::slip) halted_.insert(name);
     if (mode == "open") {
       closing.insert(name);
       closed_.insert(name);

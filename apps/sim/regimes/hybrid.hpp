@@ -13,6 +13,7 @@
 #include "sim/drive/stopwatch.hpp"
 #include "sim/methods/methods.hpp"
 #include "sim/regimes/event.hpp"
+#include "sim/regimes/guarded_step.hpp"
 #include "sim/regimes/standing.hpp"
 
 namespace gausssim {
@@ -47,18 +48,6 @@ class Hybrid final : public Integrator<S> {
   const Modes& modes() const { return modes_; }
 
  private:
-  /// An end of a step.
-  struct Place {
-    S t = 0;
-    Array x;
-    std::vector<S> values, rates;  ///< of guards; rates per second
-  };
-  struct Watched {
-    std::size_t guard;
-    S sense;       ///< of a slip that is 0 at the end of its sliding; 1 for others
-    bool is_told;  ///< its rate is the guard behind it
-  };
-
   Regime<S>* regime_at(const Modes& modes, std::string& why);
   bool start();
   bool enter(const Modes& modes);
@@ -67,15 +56,7 @@ class Hybrid final : public Integrator<S> {
   void note_speeds(const Array& x);
   /// What counts as standing still: speeds beside the largest one so far.
   S slow() const { return S(1e-10) * fastest_; }
-  void look_at_guards(Place& place) const;
-  void watch();
-  std::optional<S> crossing(const Watched& one) const;
-  bool is_hit(const Watched& one, const S& at) const;
-  std::optional<Place> dip(const Watched& one, const Place& low, const Place& high, int depth) const;
-  std::optional<Place> place_at(const S& t) const;
-  std::optional<Array> state_at(const S& t) const;
-  S value_at(const S& t, const Watched& one) const;
-  void happen(const S& t, const std::vector<Watched>& fired);
+  void happen(const S& t, const Array& x, const std::vector<std::size_t>& fired);
 
   Regime<S>* ground();
   /// At the present state.
@@ -96,15 +77,13 @@ class Hybrid final : public Integrator<S> {
   std::set<std::string>
       halted_;     ///< frictions whose slip has come to its end at this instant, whatever rounding has left of it
   S fastest_ = 0;  ///< speed so far
-  std::size_t ground_size_ = 0;   ///< coordinates
+  std::size_t coordinates_ = 0;
   std::set<std::string> closed_;  ///< contacts, beside those that open at this instant
   Modes modes_;
   Regime<S>* regime_ = nullptr;
   std::unique_ptr<Integrator<S>> inner_;
-  std::vector<Watched> watched_;                 ///< guards of the regime that may end it
   std::vector<const FrictionSwitch*> slipping_;  ///< in two directions
-  Place from_, to_;                              ///< of the last step
-  bool is_from_known_ = false;
+  std::optional<GuardedStep<S>> last_step_;
   S t_, start_;
   Array x_;
   bool is_started_ = false;

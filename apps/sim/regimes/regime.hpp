@@ -1,14 +1,37 @@
 #pragma once
 // A regime with the numbers of a run.
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "gauss/event/dense.hpp"
 #include "sim/output/sampler.hpp"
 #include "sim/regimes/regime_source.hpp"
 
 namespace gausssim {
+
+template <class S>
+S largest_of(const S* values, std::size_t count) {
+  S result = 0;
+  for (std::size_t i = 0; i < count; ++i) result = std::max(result, gauss::event::magnitude_of(values[i]));
+  return result;
+}
+
+/// A state a little later.
+template <class S>
+Numbers<S> moved(const Numbers<S>& x, const Numbers<S>& rates, const S& dt) {
+  Numbers<S> result = x;
+  for (std::size_t i = 0; i < x.size(); ++i) result[i] += dt * rates[i];
+  return result;
+}
+
+/// What touches, as far as coordinates have digits.
+template <class S>
+S gap_that_is_none(const Numbers<S>& x, std::size_t coordinates) {
+  return S(1e-9) * std::max(S(1e-3), largest_of(x.data(), coordinates));
+}
 
 template <class S>
 class Regime {
