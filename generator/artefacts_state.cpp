@@ -250,7 +250,8 @@ Vector gradient_of(const Mechanics& mechanics, const kinematics::ConstraintRow& 
 
 std::vector<Artefact> impact_system_artefact(Mechanics& mechanics) {
   const kinematics::SwitchRows& switches = mechanics.kinematics.switches;
-  strategy::Matrix rows, limits;
+  strategy::Matrix rows;
+  const strategy::Matrix& limits = switches.limits;
   Vector rates, gaps;
   const auto add = [&](const kinematics::ConstraintRow& row) {
     rows.push_back(gradient_of(mechanics, row));
@@ -264,7 +265,6 @@ std::vector<Artefact> impact_system_artefact(Mechanics& mechanics) {
   for (const auto& slips : switches.frictions) {
     for (const kinematics::ConstraintRow& row : slips) add(row);
   }
-  for (const auto& of_friction : switches.limits) limits.push_back(of_friction);
   ArtefactBuilder builder("impact_system",
                           "What impulses act on: inertia, and rows along which they do (theory.md, section 11).",
                           mechanics);

@@ -6,6 +6,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "cli/files.hpp"
+#include "cli/guard.hpp"
 #include "cli/messages.hpp"
 #include "cli/overrides.hpp"
 #include "scene_choice.hpp"
@@ -43,6 +44,7 @@ void take(const SceneChoice& scene, Input& input) {
 }  // namespace
 
 std::optional<Input> read_input(const Options& options, int& code) {
+  const ReadingGuard guard(options.messages);
   Input input{options, read_source(options.model)};
   if (options.model == "-" || !is_scene(input.source)) return input;
   support::Diagnostics diagnostics;

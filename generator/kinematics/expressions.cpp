@@ -2,7 +2,6 @@
 
 #include <map>
 
-#include "ir/contract.hpp"
 #include "ir/removable.hpp"
 #include "ir/substitute.hpp"
 #include "kinematics/place_symbols.hpp"
@@ -232,10 +231,7 @@ Expr Expressions::slip(std::size_t friction, std::size_t direction) {
   const auto& law = model_.frictions[friction].law.slips[direction];
   if (const auto* along = std::get_if<model::VelocityLaw>(&law)) return (*this)(along->phi);
   const auto& contact = std::get<model::SlipLaw>(law);
-  const auto* place = std::get_if<std::size_t>(&contact.at);
-  const ir::Vector3 point =
-      place != nullptr ? frames_.origin(*place) : (*this)(std::get<std::array<Ast, 3>>(contact.at));
-  return kinematics::slip(*this, contact, point, ir::multiply(frames_.axes(contact.axes), (*this)(contact.direction)));
+  return kinematics::slip(*this, contact, contact_line(*this, contact));
 }
 
 // 9 frame + 3 axis + component

@@ -195,13 +195,19 @@ class Builder {
       rows.contacts.push_back(constraint_row(row));
     }
     for (const model::DryFriction& friction : model_.frictions) {
-      rows.frictions.emplace_back();
-      for (const auto& slip : friction.law.slips) {
-        model::Constraint row;
-        std::visit([&](const auto& law) { row.law = law; }, slip);
-        rows.frictions.back().push_back(constraint_row(row));
-      }
+      rows.frictions.push_back(slip_rows(friction.law));
       rows.limits.push_back(limits_per_reaction(friction));
+    }
+    return rows;
+  }
+
+  /// What would be constraints if it stuck.
+  std::vector<ConstraintRow> slip_rows(const model::Friction& law) {
+    std::vector<ConstraintRow> rows;
+    for (const auto& slip : law.slips) {
+      model::Constraint row;
+      std::visit([&](const auto& of_slip) { row.law = of_slip; }, slip);
+      rows.push_back(constraint_row(row));
     }
     return rows;
   }
@@ -303,16 +309,12 @@ class Builder {
   }
 
   void state(const model::SlipLaw& law, ConstraintRow& row) {
-    Frames& frames = expressions_.frames();
-    const auto* place = std::get_if<std::size_t>(&law.at);
-    const Vector3 point =
-        place != nullptr ? frames.origin(*place) : expressions_(std::get<std::array<model::Ast, 3>>(law.at));
-    const Vector3 components = expressions_(law.direction);
-    const Vector3 direction = ir::multiply(frames.axes(law.axes), components);
-    row.phi = slip(expressions_, law, point, direction);
-    row.actions.push_back({law.frame, point, direction});
-    row.actions.push_back({law.surface, point, -direction});
-    if (place != nullptr) {
+    const ContactLine line = contact_line(expressions_, law);
+    row.phi = slip(expressions_, law, line);
+    row.actions.push_back({law.frame, line.point, line.direction});
+    row.actions.push_back({law.surface, line.point, -line.direction});
+    if (const auto* const place = std::get_if<std::size_t>(&law.at)) {
+      const Vector3 components = expressions_(law.direction);
       row.actions[0].local = {*place, law.axes, components, law.frame};
       row.actions[1].local = {*place, law.axes, -components, law.surface};
     }
@@ -398,14 +400,9 @@ class Builder {
   // λ_i = -limit φ_i/|φ|, where friction would be the multiplier of φ_i if it stuck. Along one direction φ/|φ| is the sense that a regime
   // knows, so that nothing jumps in it.
   void apply(const model::Friction& law, Kinematics& result) {
-    std::vector<ConstraintRow> rows;
+    std::vector<ConstraintRow> rows = slip_rows(law);
+    rows.erase(std::remove_if(rows.begin(), rows.end(), [](const auto& row) { return row.phi.is_zero(); }), rows.end());
     Expr square = law.smooth ? ir::pow(expressions_(*law.smooth), 2) : number(0);
-    for (const auto& slip : law.slips) {
-      model::Constraint row;
-      std::visit([&](const auto& of_slip) { row.law = of_slip; }, slip);
-      rows.push_back(constraint_row(row));
-      if (rows.back().phi.is_zero()) rows.pop_back();
-    }
     for (const ConstraintRow& row : rows) square += ir::pow(row.phi, 2);
     const Expr limit = expressions_(law.limit);
     for (const ConstraintRow& row : rows) {

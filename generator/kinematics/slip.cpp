@@ -60,9 +60,17 @@ Vector3 velocity_at(Expressions& expressions, std::size_t frame, const Vector3& 
   return expressions.rate(origin) + cross(frames.omega(frame, Axes::space), place - origin);
 }
 
-Expr slip(Expressions& expressions, const model::SlipLaw& law, const Vector3& place, const Vector3& direction) {
-  const Expr in_space =
-      dot(direction, velocity_at(expressions, law.frame, place) - velocity_at(expressions, law.surface, place));
+ContactLine contact_line(Expressions& expressions, const model::SlipLaw& law) {
+  Frames& frames = expressions.frames();
+  const auto* const place = std::get_if<std::size_t>(&law.at);
+  const Vector3 point =
+      place != nullptr ? frames.origin(*place) : expressions(std::get<std::array<model::Ast, 3>>(law.at));
+  return {point, ir::multiply(frames.axes(law.axes), expressions(law.direction))};
+}
+
+Expr slip(Expressions& expressions, const model::SlipLaw& law, const ContactLine& line) {
+  const Expr in_space = dot(line.direction, velocity_at(expressions, law.frame, line.point) -
+                                                velocity_at(expressions, law.surface, line.point));
   const auto* const frame = std::get_if<std::size_t>(&law.at);
   if (frame == nullptr || expressions.carrier_of({law.axes}) == model::k_space) return in_space;
   Observer observer(expressions, law.axes, *frame);

@@ -9,12 +9,10 @@ namespace gausssim {
 
 namespace {
 
-bool is_without(const Move& move) { return move.what.rfind("without ", 0) == 0; }
-
 EffectSet without_any(EffectSet acting, const std::vector<gaussgen::model::Effect>& effects) {
   while (true) {
     const std::vector<Move> moves = moves_from(acting, effects);
-    const auto first = std::find_if(moves.begin(), moves.end(), is_without);
+    const auto first = std::find_if(moves.begin(), moves.end(), [](const Move& move) { return !move.is_other_choice; });
     if (first == moves.end()) return acting;
     acting = first->left;
   }
@@ -28,7 +26,7 @@ std::optional<Compared> next_rung(const Measured& from, Workbench& bench) {
     const Measured& found = bench.measured(move.left);
     if (!found.why.empty() || found.operations > from.operations) continue;
     const auto order = [](const Measured& one) { return std::tuple(one.change.value, one.operations); };
-    if (!best || order(found) < order(best->measured)) best = Compared{move.what, found};
+    if (!best || order(found) < order(best->measured)) best = Compared{move, found};
   }
   return best;
 }
@@ -38,7 +36,7 @@ std::optional<Compared> next_rung(const Measured& from, Workbench& bench) {
 int Ladder::shared_operations() const {
   int shared = all.operations - none.operations;
   for (const Compared& one : each) {
-    if (is_without({one.what, {}}) && one.measured.why.empty()) shared -= all.operations - one.measured.operations;
+    if (!one.move.is_other_choice && one.measured.why.empty()) shared -= all.operations - one.measured.operations;
   }
   return shared;
 }
@@ -60,10 +58,10 @@ std::optional<Ladder> make_ladder(Workbench& bench) {
   Ladder ladder;
   ladder.all = bench.measured(bench.all());
   for (const Move& move : moves_from(bench.all(), bench.effects())) {
-    ladder.each.push_back({move.what, bench.measured(move.left)});
+    ladder.each.push_back({move, bench.measured(move.left)});
     if (Interruption::is_asked_for()) return std::nullopt;
   }
-  ladder.rungs.push_back({"all", ladder.all});
+  ladder.rungs.push_back({{"all", bench.all()}, ladder.all});
   while (const auto next = next_rung(ladder.rungs.back().measured, bench)) {
     const bool is_new = std::none_of(ladder.rungs.begin(), ladder.rungs.end(),
                                      [&](const Compared& one) { return one.measured.acting == next->measured.acting; });

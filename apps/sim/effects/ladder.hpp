@@ -9,7 +9,7 @@
 namespace gausssim {
 
 struct Compared {
-  std::string what;  ///< Move::what; of rungs that none, "all effects"
+  Move move;  ///< of the first rung none, but a name
   Measured measured;
 };
 

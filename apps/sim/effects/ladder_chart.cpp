@@ -67,10 +67,10 @@ class Drawing {
   void row(double y, const Compared& one) {
     const double middle = y + k_row / 2;
     const Measured& measured = one.measured;
-    svg_.begin_group(measured.why.empty() ? fmt::format("{}: {} operations, {:.4g} ms", one.what, measured.operations,
-                                                        1e3 * measured.seconds)
-                                          : one.what + ": " + measured.why);
-    svg_.text({16, middle + 4}, one.what, "start", "tick");
+    svg_.begin_group(measured.why.empty() ? fmt::format("{}: {} operations, {:.4g} ms", one.move.what,
+                                                        measured.operations, 1e3 * measured.seconds)
+                                          : one.move.what + ": " + measured.why);
+    svg_.text({16, middle + 4}, one.move.what, "start", "tick");
     if (measured.why.empty()) {
       const double length = (k_cost_end - 50 - k_cost) * measured.operations / most_;
       svg_.line({k_cost, middle}, {k_cost + length, middle}, "dot c0");

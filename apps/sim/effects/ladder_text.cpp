@@ -33,7 +33,7 @@ std::string head(const char* name, std::size_t width, const char* last) {
 std::size_t width_of(const EffectsReport& report) {
   std::size_t width = k_least_width;
   for (const auto& list : {report.ladder.each, report.ladder.rungs}) {
-    for (const Compared& one : list) width = std::max(width, one.what.size());
+    for (const Compared& one : list) width = std::max(width, one.move.what.size());
   }
   return width;
 }
@@ -58,7 +58,7 @@ Json json_of(const Measured& measured, const EffectsReport& report) {
 Json json_of(const std::vector<Compared>& list, const EffectsReport& report) {
   Json json = Json::array();
   for (const Compared& one : list) {
-    Json entry{{"what", one.what}};
+    Json entry{{"what", one.move.what}};
     entry.update(json_of(one.measured, report));
     json.push_back(std::move(entry));
   }
@@ -76,11 +76,12 @@ std::string in_words(const EffectsReport& report) {
       gaussgen::support::joined(in_order(bench.all(), bench.effects())));
   text += head("what each costs", width, "changes the motion by");
   text += row("all", width, ladder.all, false);
-  for (const Compared& one : ladder.each) text += row(one.what, width, one.measured, true);
+  for (const Compared& one : ladder.each) text += row(one.move.what, width, one.measured, true);
   text += row("none", width, ladder.none, true);
   text += fmt::format("  {:<{}}  {:>10}\n", "shared by several", width, ladder.shared_operations());
   text += "\n" + head("left out in turn", width, "off by then");
-  for (const Compared& one : ladder.rungs) text += row(one.what, width, one.measured, &one != &ladder.rungs.front());
+  for (const Compared& one : ladder.rungs)
+    text += row(one.move.what, width, one.measured, &one != &ladder.rungs.front());
   if (!need) return text;
   return text + fmt::format("\n  {:g} needs {}: {} of {} operations, {:.3g} of the time\n", *need,
                             gaussgen::support::joined(in_order(chosen->acting, bench.effects())), chosen->operations,

@@ -67,7 +67,7 @@ std::vector<Move> moves_from(const EffectSet& acting, const std::vector<Effect>&
       if (!is_alternative || !goes_with(other, left, effects)) continue;
       EffectSet with = left;
       with.insert(other.name.text);
-      moves.push_back({fmt::format("{} instead of {}{}", other.name.text, name, others), std::move(with)});
+      moves.push_back({fmt::format("{} instead of {}{}", other.name.text, name, others), std::move(with), true});
     }
   }
   return moves;

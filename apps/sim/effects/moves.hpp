@@ -13,8 +13,9 @@ namespace gausssim {
 using EffectSet = std::set<std::string>;
 
 struct Move {
-  std::string what;  ///< for readers: "without drag (and wind)", "rigid instead of elastic"
-  EffectSet left;    ///< what acts then
+  std::string what;              ///< for readers: "without drag (and wind)", "rigid instead of elastic"
+  EffectSet left;                ///< what acts then
+  bool is_other_choice = false;  ///< one of several instead of another
 };
 
 /// One for each effect that may be left out, with those that need it, and one for each alternative of a choice of one among several that
