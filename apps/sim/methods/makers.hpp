@@ -31,6 +31,7 @@ GAUSS_SIM_MAKER(cash_karp54)
 GAUSS_SIM_MAKER(bulirsch_stoer)
 /// Null where the engine has no series of the model.
 GAUSS_SIM_MAKER(taylor)
+GAUSS_SIM_MAKER(radau)
 GAUSS_SIM_MAKER(rk4)
 GAUSS_SIM_MAKER(verlet)
 GAUSS_SIM_MAKER(mclachlan4)

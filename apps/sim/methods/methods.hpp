@@ -39,13 +39,14 @@ struct MethodSettings {
   S longest_step = S(0);  ///< 0: any
   Projection projection = Projection::full;
   long most_steps = 100'000'000;
-  bool (*ends)() = nullptr;  ///< asked before each step: whether none is taken any more
-  int order = 0;             ///< of series; 0: by the tolerance
+  bool (*ends)() = nullptr;         ///< asked before each step: whether none is taken any more
+  int order = 0;                    ///< of series; 0: by the tolerance
+  bool crosses_lost_digits = true;  ///< as gauss::simulate::Settings has it
 
   /// In another number type.
   template <class To>
   MethodSettings<To> in() const {
-    return {To(tolerance), To(step), To(longest_step), projection, most_steps, ends, order};
+    return {To(tolerance), To(step), To(longest_step), projection, most_steps, ends, order, crosses_lost_digits};
   }
 };
 

@@ -13,6 +13,7 @@ gauss::simulate::Settings<To> settings_of(const Problem<S>& problem) {
   settings.longest_step = To(problem.settings.longest_step);
   settings.most_steps = problem.settings.most_steps;
   settings.ends = problem.settings.ends;
+  settings.crosses_lost_digits = problem.settings.crosses_lost_digits;
   settings.project = problem.model.projects();
   return settings;
 }

@@ -18,17 +18,6 @@ MethodInfo info(const char* name, int least_order, int order, const char* about)
   return result;
 }
 
-MethodInfo stiff(MethodInfo result) {
-  result.is_stiff = true;
-  result.takes = {"jacobian"};
-  return result;
-}
-
-MethodInfo blind(MethodInfo result) {
-  result.sees_jumps = false;
-  return result;
-}
-
 MethodInfo drifting(MethodInfo result) {
   result.projects = false;
   return result;

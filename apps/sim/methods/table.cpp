@@ -32,11 +32,6 @@ MethodInfo stepwise(MethodInfo result) {
   return result;
 }
 
-MethodInfo blind(MethodInfo result) {
-  result.sees_jumps = false;
-  return result;
-}
-
 MethodInfo fixed(MethodInfo result) {
   result.takes_step = true;
   return result;
@@ -88,6 +83,9 @@ std::vector<Method> of_everywhere() {
           blind(in_float128(of_orders(
               4, info("bulirsch_stoer", "Odeint", 16, "extrapolation of the midpoint rule: long steps, many digits")))),
           make_bulirsch_stoer),
+      GAUSS_SIM_METHOD_IN_FLOAT(
+          stepwise(stiff(info("radau", "gauss", 9, "collocation at 5 points of Radau: stiff models, many digits"))),
+          make_radau),
       GAUSS_SIM_METHOD_IN_FLOAT(fixed(info("rk4", "Odeint", 4, "classical method of Runge and Kutta")), make_rk4),
       GAUSS_SIM_METHOD(
           symplectic(info("verlet", "gauss", 2, "symplectic, one call in a step: the energy stays bounded")),

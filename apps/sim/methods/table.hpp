@@ -20,6 +20,19 @@ struct Method {
 
 const std::vector<Method>& method_table();
 
+/// For what decays, or is held, much faster than it moves.
+inline MethodInfo stiff(MethodInfo result) {
+  result.is_stiff = true;
+  result.takes = {"jacobian"};
+  return result;
+}
+
+/// Whose estimate of the error may not see that a force jumps.
+inline MethodInfo blind(MethodInfo result) {
+  result.sees_jumps = false;
+  return result;
+}
+
 /// Those of SUNDIALS; where it is not there, with the reason.
 std::vector<Method> sundials_methods();
 

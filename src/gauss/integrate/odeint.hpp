@@ -8,6 +8,8 @@
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "gauss/integrate/bound_model.hpp"
 #include "gauss/integrate/prince_dormand87.hpp"
@@ -15,6 +17,11 @@
 #include "gauss/integrate/step_result.hpp"
 
 namespace gauss::integrate {
+
+template <class Model, class = void>
+struct TellsJacobian : std::false_type {};
+template <class Model>
+struct TellsJacobian<Model, std::void_t<decltype(std::declval<const Model&>().has_jacobian())>> : std::true_type {};
 
 /// A system in Odeint's sense over std::array. Odeint copies systems: hand it std::ref(system).
 template <class Model>
@@ -31,10 +38,24 @@ class OdeintSystem {
     if (is_motion_known(trouble_) && status != typename Model::Status{}) trouble_ = status;
   }
 
+  /// Of a model as OwnJacobian has it (sundials.hpp). False: it has none.
+  template <class Fill>
+  bool jacobian(const Scalar& t, const Array& x, const Fill& fill) {
+    if constexpr (TellsJacobian<Model>::value) {
+      if (!model_.has_jacobian()) return false;
+      ++jacobians_;
+      model_.jacobian(t, StateArrays<Model>::state_of(x), fill);
+      return true;
+    } else {
+      return false;
+    }
+  }
+
   /// The first status that stops a motion, or else a milder one other than ok, since the last forget_trouble(): Odeint has no way to return it.
   typename Model::Status trouble() const { return trouble_; }
   void forget_trouble() { trouble_ = typename Model::Status{}; }
   long calls() const { return calls_; }
+  long jacobians() const { return jacobians_; }
 
  private:
   typename Model::Status rates(const Array& x, Array& dxdt, const Scalar& t) const {
@@ -52,7 +73,7 @@ class OdeintSystem {
 
   const Model& model_;
   typename Model::Status trouble_{};
-  long calls_ = 0;
+  long calls_ = 0, jacobians_ = 0;
 };
 
 /// An error checker of Odeint, which copies it: `Control` has error(errors, dt), the error of a step in units of what is allowed.

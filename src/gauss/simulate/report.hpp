@@ -44,6 +44,8 @@ struct Settings {
   long most_steps = 10'000'000;
   bool (*ends)() = nullptr;  ///< asked before each step: whether none is taken any more
   bool project = true;
+  /// Places near which rates lose their digits, as change points of linkages, are crossed, or end the motion. Not for models whose rates do so for another reason.
+  bool crosses_lost_digits = true;
   Scalar most_projected = 1000;  ///< a projection that moves a component by more tolerances is refused
 
   Scalar least_speed() const { return smallest_speed > Scalar(0) ? smallest_speed : smallest_scale; }

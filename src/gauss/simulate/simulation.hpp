@@ -46,6 +46,7 @@ class Simulation {
     for (std::size_t i = 0; i < x_.size(); ++i)
       control_.set_smallest(i, i < Arrays::n_q(model_) ? settings_.smallest_scale : settings_.least_speed());
     control_.grow(x_);
+    system_.set_allowed([this](const Scalar& dt) -> const Array& { return control_.allowed(settings_.tolerance, dt); });
   }
 
   Simulation(const Simulation&) = delete;
@@ -65,6 +66,7 @@ class Simulation {
       if (report_.outcome == Outcome::running) step_towards(end, on_step);
     }
     report_.calls = system_.calls();
+    report_.jacobians = system_.jacobians();
     return report_.outcome == Outcome::running && t_ == end;
   }
 
@@ -77,6 +79,7 @@ class Simulation {
       if (report_.outcome == Outcome::running) step_towards(end, [](const Scalar&, const State&, const State&) {});
     }
     report_.calls = system_.calls();
+    report_.jacobians = system_.jacobians();
     return report_.outcome == Outcome::running;
   }
 
@@ -137,10 +140,11 @@ class Simulation {
     if (step_ <= Scalar(0)) step_ = pow(settings_.tolerance, Scalar(1) / order) * (end - t_);
     if (first_ <= Scalar(0)) control_.set_reach(first_ = std::min(step_, end - t_));
     int refused = 0;
-    system_.close(is_held_ && approach_.loses_digits());
+    const bool approaches = is_held_ && settings_.crosses_lost_digits;
+    system_.close(approaches && approach_.loses_digits());
     if (system_.is_closed() && crosses(rates, end, on_step)) return;
     // Steps as short as these resolve what rounding makes of the place, which leads to any of its branches.
-    if (is_held_ && approach_.has_lost_digits() && approach_.dt < k_brief * control_.reach())
+    if (approaches && approach_.has_lost_digits() && approach_.dt < k_brief * control_.reach())
       report_.outcome = Outcome::constraints_lost;
     while (report_.outcome == Outcome::running) {
       // The controller's step is kept for afterwards when this one is cut off to arrive at `end`.

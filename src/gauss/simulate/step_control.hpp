@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "gauss/integrate/odeint.hpp"
 #include "gauss/integrate/unit_groups.hpp"
@@ -31,6 +33,15 @@ class NotingSystem {
     system_(x, dxdt, t);
   }
 
+  /// For implicit methods.
+  template <class Fill>
+  bool jacobian(const Scalar& t, const Array& x, const Fill& fill) {
+    return system_.jacobian(t, x, fill);
+  }
+  /// What the error of a step may be, as far as is known of the sizes within it.
+  const Array& allowed(const Scalar& dt) const { return allowed_(dt); }
+  void set_allowed(std::function<const Array&(const Scalar&)> allowed) { allowed_ = std::move(allowed); }
+
   void close(bool is_closed) { is_closed_ = is_closed; }
   bool is_closed() const { return is_closed_; }
 
@@ -42,6 +53,7 @@ class NotingSystem {
   /// Largest of each component since forget().
   const Array& sizes() const { return sizes_; }
   long calls() const { return system_.calls(); }
+  long jacobians() const { return system_.jacobians(); }
 
  private:
   using Arrays = integrate::StateArrays<Model>;
@@ -63,6 +75,7 @@ class NotingSystem {
   const Model& model_;
   integrate::OdeintSystem<Model> system_;
   Array sizes_;
+  std::function<const Array&(const Scalar&)> allowed_;
   bool is_closed_ = false;
 };
 

@@ -47,7 +47,8 @@ TEST_CASE("errors of each method with a tolerance follow it over decades") {
     const double decades = decades_for_each<double>(method.name, is_low ? 1e-3 : 1e-4, is_low ? 1e-8 : 1e-10);
     CAPTURE(method.name, decades);
     CHECK(decades > (is_low ? 0.6 : 0.62));
-    CHECK(decades < 1.3);
+    // Its estimate is of order 5, and the error of order 9.
+    CHECK(decades < (method.name == "radau" ? 9 / 6.0 + 0.3 : 1.3));
     ++measured;
   }
   CHECK(measured >= 5);
