@@ -1,19 +1,18 @@
 #pragma once
 // A motion through regimes: each is integrated by itself, until a guard of it falls through 0 (docs/regimes.md).
 
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "sim/drive/integrator.hpp"
-#include "sim/drive/stopwatch.hpp"
 #include "sim/methods/methods.hpp"
 #include "sim/regimes/event.hpp"
 #include "sim/regimes/guarded_step.hpp"
+#include "sim/regimes/instant.hpp"
+#include "sim/regimes/next_regime.hpp"
+#include "sim/regimes/regime_pool.hpp"
 #include "sim/regimes/standing.hpp"
 
 namespace gausssim {
@@ -34,8 +33,8 @@ class Hybrid final : public Integrator<S> {
   void go_on_after(const std::vector<Event>& earlier);
 
   bool advance_to(const S& end) override;
-  S time() const override { return t_; }
-  const Array& state() const override { return x_; }
+  S time() const override { return here_.t; }
+  const Array& state() const override { return here_.x; }
   Progress<S> progress() const override;
 
   /// The columns of the run at a state that is in the regime which is in force now.
@@ -44,54 +43,41 @@ class Hybrid final : public Integrator<S> {
   const std::vector<Event>& events() const { return events_; }
 
   /// Time that went into deriving and compiling regimes.
-  const Seconds& making() const { return making_; }
+  const Seconds& making() const { return pool_.making(); }
   const Modes& modes() const { return modes_; }
 
  private:
-  Regime<S>* regime_at(const Modes& modes, std::string& why);
   bool start();
-  bool enter(const Modes& modes);
+  void enter(NextRegime<S> next);
+  void integrate_by(const std::string& method);
   void step(const S& end);
   S cap(const S& end, std::string& halting) const;
-  void note_speeds(const Array& x);
-  /// What counts as standing still: speeds beside the largest one so far.
-  S slow() const { return S(1e-10) * fastest_; }
+  void watch_stiffness(const S& step);
   void happen(const S& t, const Array& x, const std::vector<std::size_t>& fired);
 
   Regime<S>* ground();
   /// At the present state.
   bool look(Standing<S>& standing);
-  void hit(const std::set<std::string>& closing);
+  void hit_at(const std::set<std::string>& closing);
   bool settle(const std::map<std::string, std::string>& banned);
-  bool is_consistent(const Modes& modes, const std::set<std::string>& open_at_rest, Array& x, std::string& why);
-  std::vector<S> slip_accelerations(const Modes& modes, const std::string& friction, const Array& x);
   void stop(gauss::simulate::Outcome outcome, std::string why);
   void note(const std::string& what, double impulse = 0);
-  Modes ground_modes() const;
 
-  std::shared_ptr<RegimeSource> source_;
+  RegimePool<S> pool_;
   Setting setting_;
-  std::map<Modes, std::unique_ptr<Regime<S>>> regimes_;
-  Seconds making_;
-  std::set<std::string> broken_;
-  std::set<std::string>
-      halted_;     ///< frictions whose slip has come to its end at this instant, whatever rounding has left of it
-  S fastest_ = 0;  ///< speed so far
-  std::size_t coordinates_ = 0;
-  std::set<std::string> closed_;  ///< contacts, beside those that open at this instant
+  Instant<S> here_;
   Modes modes_;
   Regime<S>* regime_ = nullptr;
+  std::string method_;  ///< that is in force
   std::unique_ptr<Integrator<S>> inner_;
   std::vector<const FrictionSwitch*> slipping_;  ///< in two directions
+  int unwatched_ = 0;                            ///< steps since the last look at how stiff they are
   std::optional<GuardedStep<S>> last_step_;
-  S t_, start_;
-  Array x_;
   bool is_started_ = false;
   Progress<S> before_;  ///< of inner integrators that are no more
   gauss::simulate::Outcome outcome_ = gauss::simulate::Outcome::running;
   std::string why_;
   std::vector<Event> events_;
-  S last_event_ = 0;
   int without_time_ = 0;  ///< events in a row between which no time went by
 };
 

@@ -30,10 +30,12 @@ RegimeSource::RegimeSource(gaussgen::support::Source text, gaussgen::PipelineOpt
 
 RegimeSource::~RegimeSource() = default;
 
-void RegimeSource::prepare(std::vector<Column> columns, MakeEngine make) {
+void RegimeSource::prepare(std::vector<Column> columns, MakeEngine make,
+                           std::function<std::shared_ptr<void>()> while_making) {
   const std::scoped_lock lock(known_->mutex);
   columns_ = std::move(columns);
   make_engine_ = std::move(make);
+  while_making_ = std::move(while_making);
 }
 
 std::size_t RegimeSource::count() const {
@@ -99,6 +101,14 @@ std::optional<Described> RegimeSource::described(const Modes& modes) {
   return std::move(found->model);
 }
 
+/// Which is stiff while it is slow.
+bool RegimeSource::slides_in_two_directions(const Modes& modes) const {
+  const auto& frictions = switches_.frictions;
+  return std::any_of(frictions.begin(), frictions.end(), [&](const FrictionSwitch& friction) {
+    return friction.slips > 1 && modes.at(friction.name) == friction.sliding(false);
+  });
+}
+
 std::shared_ptr<const RegimeModel> RegimeSource::at(const Modes& modes, std::string& why) {
   const std::scoped_lock lock(known_->mutex);
   if (const auto found = known_->models.find(modes); found != known_->models.end()) return found->second;
@@ -106,8 +116,10 @@ std::shared_ptr<const RegimeModel> RegimeSource::at(const Modes& modes, std::str
     why = found->second;
     return nullptr;
   }
+  const std::shared_ptr<void> meanwhile = while_making_();
   gaussgen::PipelineOptions options = options_;
   options.choices.regime = modes;
+  if (slides_in_two_directions(modes)) options.where_possible.emplace_back("jacobian");
   auto model = derived(text_, options, adjust_, why);
   if (!model) {
     why = fmt::format("there is no motion with {}: {}", in_words(modes), why);

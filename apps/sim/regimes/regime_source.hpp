@@ -38,8 +38,8 @@ class RegimeSource {
 
   const Switches& switches() const { return switches_; }
 
-  /// Columns of the runs, and how functions are executed: once, before the first regime.
-  void prepare(std::vector<Column> columns, MakeEngine make);
+  /// Columns of the runs, and how functions are executed: once, before the first regime. What `while_making` returns lives as long as one is made.
+  void prepare(std::vector<Column> columns, MakeEngine make, std::function<std::shared_ptr<void>()> while_making);
 
   /// Null, and why: a regime that cannot be derived, as one in which constraints contradict each other.
   std::shared_ptr<const RegimeModel> at(const Modes& modes, std::string& why);
@@ -51,6 +51,8 @@ class RegimeSource {
   std::size_t count() const;
 
  private:
+  bool slides_in_two_directions(const Modes& modes) const;
+
   struct Known;
   std::unique_ptr<Known> known_;
   gaussgen::support::Source text_;
@@ -59,6 +61,7 @@ class RegimeSource {
   Switches switches_;
   std::vector<Column> columns_;
   MakeEngine make_engine_;
+  std::function<std::shared_ptr<void>()> while_making_;
 };
 
 }  // namespace gausssim

@@ -19,7 +19,8 @@ namespace {
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-thread_local TimeLimit::Clock::time_point deadline = TimeLimit::Clock::time_point::max();
+thread_local TimeLimit* innermost = nullptr;
+thread_local TimeLimit::Clock::time_point deadline = TimeLimit::Clock::time_point::max();  ///< that of the innermost
 
 thread_local AfterManySteps* watch = nullptr;
 
@@ -81,16 +82,34 @@ EndsAtOnce::EndsAtOnce(const gaussgen::cli::MessageOptions& messages) {
 
 EndsAtOnce::~EndsAtOnce() { last_words = nullptr; }
 
-TimeLimit::TimeLimit(double seconds) : before_(deadline), own_(deadline) {
+TimeLimit::TimeLimit(double seconds) : outer_(innermost) {
   constexpr double k_for_ever = 1e9;
   const std::chrono::duration<double> span(std::clamp(seconds, 0.0, k_for_ever));
   own_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(span);
-  deadline = std::min(before_, own_);
+  innermost = this;
+  deadline = end();
 }
 
-TimeLimit::~TimeLimit() { deadline = before_; }
+TimeLimit::~TimeLimit() {
+  innermost = outer_;
+  deadline = outer_ == nullptr ? Clock::time_point::max() : outer_->end();
+}
 
-bool TimeLimit::is_over() const { return Clock::now() >= std::min(before_, own_); }
+TimeLimit::Clock::time_point TimeLimit::end() const { return outer_ == nullptr ? own_ : std::min(own_, outer_->end()); }
+
+bool TimeLimit::is_over() const { return Clock::now() >= end(); }
+
+LimitsOfRunsWait::LimitsOfRunsWait() : began_(TimeLimit::Clock::now()) {
+  const TimeLimit* one = innermost;
+  while (one != nullptr && one->outer_ != nullptr) one = one->outer_;
+  if (one != nullptr) deadline = one->own_;
+}
+
+LimitsOfRunsWait::~LimitsOfRunsWait() {
+  const auto taken = TimeLimit::Clock::now() - began_;
+  for (TimeLimit* one = innermost; one != nullptr && one->outer_ != nullptr; one = one->outer_) one->own_ += taken;
+  if (innermost != nullptr) deadline = innermost->end();
+}
 
 AfterManySteps::AfterManySteps(std::function<void()> call) : call_(std::move(call)) { watch = this; }
 

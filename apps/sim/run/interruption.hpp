@@ -44,7 +44,24 @@ class TimeLimit {
   bool is_over() const;
 
  private:
-  Clock::time_point before_, own_;
+  friend class LimitsOfRunsWait;
+
+  Clock::time_point end() const;
+
+  TimeLimit* outer_;
+  Clock::time_point own_;
+};
+
+/// While it lives, limits of its thread do not count, apart from the one around them all: what is done once for all runs, as to derive and compile, is no time of one of them.
+class LimitsOfRunsWait {
+ public:
+  LimitsOfRunsWait();
+  LimitsOfRunsWait(const LimitsOfRunsWait&) = delete;
+  LimitsOfRunsWait& operator=(const LimitsOfRunsWait&) = delete;
+  ~LimitsOfRunsWait();
+
+ private:
+  TimeLimit::Clock::time_point began_;
 };
 
 /// While it lives, calls what it is given after each so many steps of runs of its thread.

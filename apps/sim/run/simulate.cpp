@@ -114,7 +114,7 @@ class Simulator {
     if (!find_method(setting_.method)->tells_steps) {
       result_.why = fmt::format(
           "'{}' does not tell its steps, within which contacts and friction change: take prince87, dopri5 or "
-          "fehlberg78",
+          "fehlberg78, or radau for stiff models",
           setting_.method);
       return nullptr;
     }
@@ -130,7 +130,7 @@ class Simulator {
       return build_engine(regime, is_compiled ? EngineChoice::automatic : EngineChoice::interpreted, {scalar}, times,
                           why);
     };
-    prepared_.regimes->prepare(prepared_.columns.columns, make);
+    prepared_.regimes->prepare(prepared_.columns.columns, make, [] { return std::make_shared<LimitsOfRunsWait>(); });
     auto hybrid = std::make_unique<Hybrid<S>>(prepared_.regimes, start, from,
                                               typename Hybrid<S>::Setting{setting_.method, settings, change()});
     hybrid_ = hybrid.get();

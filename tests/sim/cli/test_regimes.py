@@ -284,7 +284,6 @@ class Friction(Regimes):
             self.assertAlmostEqual(x, 0.6 * way, delta=1e-8)
             self.assertAlmostEqual(y, 0.8 * way, delta=1e-8)
 
-    @unittest.expectedFailure  # 734 407 of them in 3.5 s, where a ball that slides takes 20 beside those of samples
     def test_slip_in_two_directions_does_not_need_many_steps(self):
         self.go(PUCK, "--duration", "3.5", timeout=20)
         self.assertLess(self.summary("x.json")["steps"], 5000)

@@ -149,7 +149,6 @@ class Runs(Regimes):
         said = self.refused(5, "run", "model.yaml", "--set", "z=-0.1", "-o", "x.csv")
         self.assertIn("the contact 'floor' begins with a gap of -0.1", said)
 
-    @unittest.expectedFailure  # 'leave no motion': that with all of them closed is the only one that is tried
     def test_more_contacts_at_once_than_can_be_tried_are_said(self):
         count = 13
         text = "gauss: 1\nname: many\nparameters: {m: 1}\ncoordinates:\n"

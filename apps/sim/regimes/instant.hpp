@@ -1,0 +1,39 @@
+#pragma once
+// Where a motion through regimes is, and what is known there beside its state.
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include "sim/regimes/regime.hpp"
+
+namespace gausssim {
+
+template <class S>
+struct Instant {
+  S t = 0, start = 0, last_event = 0;
+  Numbers<S> x;
+  std::size_t coordinates = 0;   ///< of the state, which stand before its speeds
+  S fastest = 0;                 ///< speed so far
+  std::set<std::string> closed;  ///< contacts, beside those that open at this instant
+  std::set<std::string> halted;  ///< frictions whose slip has come to its end here, whatever rounding has left of it
+  std::set<std::string> broken;
+
+  /// What counts as standing still: speeds beside the largest one so far.
+  S slow() const { return S(1e-10) * fastest; }
+  void note_speeds(const Numbers<S>& state) {
+    fastest = std::max(fastest, largest_of(state.data() + coordinates, state.size() - coordinates));
+  }
+
+  /// In which rates of change are told by differences: part of the time in this regime, or in one that has just begun.
+  S a_while(const S& part, const S& least) const { return part * std::max(S(t - last_event), least); }
+
+  Modes ground_modes(const Switches& switches) const {
+    Modes modes = ground_of(switches);
+    for (const std::string& link : broken) modes[link] = "broken";
+    return modes;
+  }
+};
+
+}  // namespace gausssim

@@ -1,0 +1,231 @@
+#include "sim/regimes/next_regime.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gauss/event/least_constraint.hpp"
+#include "gauss/scalar/float128.hpp"
+#include "sim/drive/quad.hpp"
+#include "sim/regimes/slip_start.hpp"
+
+namespace gausssim {
+
+using gauss::event::magnitude_of;
+using Kind = gaussgen::model::Guard::Kind;
+
+namespace {
+
+constexpr std::size_t k_most_touching = 11;  ///< contacts of which all ways to be open and closed are tried
+constexpr std::size_t k_most_tried = 4096;   ///< regimes at one instant
+
+template <class S>
+S length_of(const std::vector<S>& v) {
+  S square = 0;
+  for (const S& one : v) square += one * one;
+  return gauss::Math<S>::sqrt(square);
+}
+
+}  // namespace
+
+template <class S>
+RegimeChoice<S>::RegimeChoice(RegimePool<S>& pool, Regime<S>& ground, const Standing<S>& standing,
+                              const Instant<S>& here, const std::map<std::string, std::string>& banned)
+    : pool_(pool), switches_(pool.switches()), ground_(ground), standing_(standing), here_(here), banned_(banned) {
+  for (std::size_t c = 0; c < switches_.contacts.size(); ++c) {
+    const bool parts = standing.gap_rate(c) > here.slow();
+    if (here.closed.count(switches_.contacts[c].name) > 0 && !parts) touching_.push_back(c);
+  }
+}
+
+template <class S>
+std::optional<NextRegime<S>> RegimeChoice<S>::find(std::string& why) {
+  for (const Opens& opens : choices_of_contacts()) {
+    if (!is_allowed(opens)) continue;
+    if (auto found = find_with(opens, why)) return found;
+  }
+  if (touching_.size() > k_most_touching)
+    why += fmt::format("; of {} contacts that touch, no more than {} are tried in all ways", touching_.size(),
+                       k_most_touching);
+  return std::nullopt;
+}
+
+template <class S>
+bool RegimeChoice<S>::is_banned(const std::string& name, const std::string& mode) const {
+  const auto found = banned_.find(name);
+  return found != banned_.end() && found->second == mode;
+}
+
+template <class S>
+bool RegimeChoice<S>::is_allowed(const Opens& opens) const {
+  return std::none_of(touching_.begin(), touching_.end(), [&](std::size_t c) {
+    const std::string& name = switches_.contacts[c].name;
+    return is_banned(name, opens.count(name) > 0 ? "open" : "closed");
+  });
+}
+
+/// First all closed, then what Gauss's principle with inequalities says, then all ways, where there are not too many.
+template <class S>
+std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contacts() {
+  std::vector<Opens> all(1);
+  if (touching_.size() > 1) {
+    if (const auto opens = choice_of_least_constraint()) all.push_back(*opens);
+  }
+  if (touching_.size() > k_most_touching) return all;
+  for (std::size_t choice = 1; choice < std::size_t(1) << touching_.size(); ++choice) {
+    Opens opens;
+    for (std::size_t k = 0; k < touching_.size(); ++k)
+      if ((choice >> k & 1U) != 0) opens.insert(switches_.contacts[touching_[k]].name);
+    all.push_back(std::move(opens));
+  }
+  return all;
+}
+
+/// Without friction, which may change it.
+template <class S>
+std::optional<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choice_of_least_constraint() {
+  const S dt = here_.a_while(S(1e-7), S(1e-3));
+  Standing<S> then;
+  const Numbers<S> later = moved(here_.x, ground_.rates(here_.t, here_.x), dt);
+  if (!find_standing(ground_, switches_, S(here_.t + dt), later, then)) return std::nullopt;
+  const auto& impact = standing_.impact;
+  gauss::event::ContactProblem<S> problem;
+  problem.speeds = impact.speeds;
+  problem.equations = impact.constraints;
+  problem.metric = impact.metric;
+  const auto add = [&](std::size_t row, const S& right) {
+    const auto begin = impact.rows.begin() + static_cast<std::ptrdiff_t>(row * impact.speeds);
+    problem.rows.insert(problem.rows.end(), begin, begin + static_cast<std::ptrdiff_t>(impact.speeds));
+    problem.right.push_back(right);
+  };
+  for (std::size_t k = 0; k < impact.constraints; ++k) add(k, S(0));
+  std::vector<std::size_t> taking_part;
+  Opens opens;
+  for (const std::size_t c : touching_) {
+    const std::string& name = switches_.contacts[c].name;
+    if (is_banned(name, "closed")) {
+      opens.insert(name);
+      continue;
+    }
+    taking_part.push_back(c);
+    add(impact.constraints + c, (standing_.gap_rate(c) - then.gap_rate(c)) / dt);
+  }
+  const auto found = gauss::event::LeastConstraint<S>(problem).solve();
+  if (!found.is_found) return std::nullopt;
+  S largest = 0;
+  for (const S& one : problem.right) largest = std::max(largest, magnitude_of(one));
+  for (std::size_t k = 0; k < taking_part.size(); ++k)
+    if (found.rates[impact.constraints + k] > S(1e-6) * largest) opens.insert(switches_.contacts[taking_part[k]].name);
+  return opens;
+}
+
+template <class S>
+bool RegimeChoice<S>::rests(std::size_t friction) const {
+  return here_.halted.count(switches_.frictions[friction].name) > 0 ||
+         !(length_of(standing_.slip(friction)) > here_.slow());
+}
+
+/// None: it does not act.
+template <class S>
+std::vector<std::string> RegimeChoice<S>::ways_of(std::size_t f, const Modes& modes) const {
+  const FrictionSwitch& friction = switches_.frictions[f];
+  bool is_of_contacts = false, acts = false;
+  for (std::size_t c = 0; c < switches_.contacts.size(); ++c) {
+    if (!standing_.has_limit(f, c)) continue;
+    is_of_contacts = true;
+    acts = acts || modes.at(switches_.contacts[c].name) == "closed";
+  }
+  if (is_of_contacts && !acts) return {};
+  if (!rests(f)) return {friction.sliding(friction.slips == 1 && standing_.slip(f)[0] < S(0))};
+  std::vector<std::string> ways;
+  for (const char* const way : {"sticks", friction.sliding(false), friction.sliding(true)}) {
+    const bool is_known = std::find(ways.begin(), ways.end(), way) != ways.end();
+    if (!is_known && !is_banned(friction.name, way)) ways.emplace_back(way);
+  }
+  return ways;
+}
+
+template <class S>
+std::optional<NextRegime<S>> RegimeChoice<S>::find_with(const Opens& opens, std::string& why) {
+  Modes modes = here_.ground_modes(switches_);
+  for (const std::size_t c : touching_) {
+    const std::string& name = switches_.contacts[c].name;
+    modes[name] = opens.count(name) > 0 ? "open" : "closed";
+  }
+  Ways acting;
+  for (std::size_t f = 0; f < switches_.frictions.size(); ++f) {
+    std::vector<std::string> ways = ways_of(f, modes);
+    if (!ways.empty()) acting.emplace_back(switches_.frictions[f].name, std::move(ways));
+  }
+  std::vector<std::size_t> at(acting.size(), 0);
+  while (++tried_ < k_most_tried) {
+    for (std::size_t f = 0; f < acting.size(); ++f) modes[acting[f].first] = acting[f].second[at[f]];
+    if (auto found = consistent(modes, opens, why)) return found;
+    std::size_t f = 0;
+    while (f < acting.size() && ++at[f] == acting[f].second.size()) at[f++] = 0;
+    if (f == acting.size()) break;
+  }
+  return std::nullopt;
+}
+
+/// If it goes on from here for some time.
+template <class S>
+std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, const Opens& opens, std::string& why) {
+  NextRegime<S> next{modes, pool_.at(modes, why), here_.x};
+  if (next.regime == nullptr) return std::nullopt;
+  if (!next.regime->project(here_.t, next.x))
+    return why = "no state is near that satisfies its constraints", std::nullopt;
+  std::vector<std::size_t> beginning;
+  for (std::size_t f = 0; f < switches_.frictions.size(); ++f)
+    if (switches_.frictions[f].slips > 1 && modes.at(switches_.frictions[f].name) == "slides" && rests(f))
+      beginning.push_back(f);
+  if (!beginning.empty()) {
+    SlipStart<S> start(*next.regime, switches_, modes, standing_, std::move(beginning), here_, next.x);
+    const auto x = start.state(why);
+    if (!x) return std::nullopt;
+    next.x = *x;
+    next.has_fresh_slip = true;
+  }
+  if (!holds(next, opens, why)) return std::nullopt;
+  return next;
+}
+
+template <class S>
+bool RegimeChoice<S>::holds(const NextRegime<S>& next, const Opens& opens, std::string& why) {
+  const Regime<S>& regime = *next.regime;
+  const auto& guards = regime.guards();
+  const Numbers<S> rates = regime.rates(here_.t, next.x);
+  const S dt = here_.a_while(S(1e-7), S(1e-3));
+  const std::vector<S> now = regime.guard_values(here_.t, next.x);
+  const std::vector<S> then = regime.guard_values(here_.t + dt, moved(next.x, rates, dt));
+  S press = 0;
+  for (std::size_t g = 0; g < now.size(); ++g)
+    if (guards[g].kind == Kind::falls && next.modes.at(guards[g].of) == "closed")
+      press = std::max(press, magnitude_of(now[g]));
+  const S size = largest_of(rates.data() + here_.coordinates, rates.size() - here_.coordinates);
+  for (std::size_t g = 0; g < now.size(); ++g) {
+    const GuardOf& guard = guards[g];
+    const std::string& mode = next.modes.at(guard.of);
+    const S change = (then[g] - now[g]) / dt;
+    if (!(now[g] == now[g])) return why = fmt::format("'{}' has no value", guard.name), false;
+    if (mode == "closed" && now[g] < -S(1e-9) * press) return why = fmt::format("'{}' would pull", guard.of), false;
+    if (mode == "sticks" && now[g] < S(0)) return why = fmt::format("'{}' cannot hold it", guard.of), false;
+    if (mode == "holds" && now[g] < S(0)) return why = fmt::format("'{}' breaks", guard.of), false;
+    const bool is_resting = guard.kind == Kind::rate_of_gap && opens.count(guard.of) > 0;
+    if (is_resting && change < -S(1e-6) * size) return why = fmt::format("'{}' would overlap", guard.of), false;
+    const bool has_sense = guard.kind == Kind::slip && (mode == "forwards" || mode == "backwards");
+    const S sense = mode == "backwards" ? S(-1) : S(1);
+    const bool begins = here_.halted.count(guard.of) > 0 || magnitude_of(now[g]) <= here_.slow();
+    if (has_sense && begins && sense * change < -S(1e-6) * size)
+      return why = fmt::format("'{}' would turn back", guard.of), false;
+    if (has_sense && !begins && sense * now[g] < S(0)) return false;
+  }
+  return true;
+}
+
+template class RegimeChoice<float>;
+template class RegimeChoice<double>;
+template class RegimeChoice<long double>;
+template class RegimeChoice<Quad>;
+
+}  // namespace gausssim

@@ -1,0 +1,59 @@
+#pragma once
+// Which regime goes on from an instant (docs/regimes.md).
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/regimes/instant.hpp"
+#include "sim/regimes/regime_pool.hpp"
+#include "sim/regimes/standing.hpp"
+
+namespace gausssim {
+
+template <class S>
+struct NextRegime {
+  Modes modes;
+  Regime<S>* regime = nullptr;
+  Numbers<S> x;                 ///< the state in it
+  bool has_fresh_slip = false;  ///< in two directions, which has just begun
+};
+
+template <class S>
+class RegimeChoice {
+ public:
+  /// `banned`: modes that have just come to their end.
+  RegimeChoice(RegimePool<S>& pool, Regime<S>& ground, const Standing<S>& standing, const Instant<S>& here,
+               const std::map<std::string, std::string>& banned);
+
+  /// Nothing, and why.
+  std::optional<NextRegime<S>> find(std::string& why);
+
+ private:
+  using Ways = std::vector<std::pair<std::string, std::vector<std::string>>>;
+  using Opens = std::set<std::string>;
+
+  std::vector<Opens> choices_of_contacts();
+  std::optional<Opens> choice_of_least_constraint();
+  bool is_allowed(const Opens& opens) const;
+  bool is_banned(const std::string& name, const std::string& mode) const;
+  bool rests(std::size_t friction) const;
+  std::vector<std::string> ways_of(std::size_t friction, const Modes& modes) const;
+  std::optional<NextRegime<S>> find_with(const Opens& opens, std::string& why);
+  std::optional<NextRegime<S>> consistent(const Modes& modes, const Opens& opens, std::string& why);
+  bool holds(const NextRegime<S>& next, const Opens& opens, std::string& why);
+
+  RegimePool<S>& pool_;
+  const Switches& switches_;
+  Regime<S>& ground_;
+  const Standing<S>& standing_;
+  const Instant<S>& here_;
+  const std::map<std::string, std::string>& banned_;
+  std::vector<std::size_t> touching_;  ///< contacts that may be closed: they touch, and do not part
+  std::size_t tried_ = 0;
+};
+
+}  // namespace gausssim
