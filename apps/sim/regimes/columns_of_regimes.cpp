@@ -62,6 +62,18 @@ Columns columns_of_modes(const Word& word, const std::vector<std::string>& names
   return found;
 }
 
+/// What is said of an unknown output, with the group that models without regimes do not have.
+gaussgen::support::Diagnostic with_modes(gaussgen::support::Diagnostic said, const std::string& word) {
+  static const std::string k_list = "there are ";
+  const std::string near = gaussgen::support::did_you_mean(word, {k_group});
+  if (!near.empty()) {
+    said.hint = near;
+  } else if (said.hint.rfind(k_list, 0) == 0) {
+    said.hint.insert(k_list.size(), k_group + ", ");
+  }
+  return said;
+}
+
 }  // namespace
 
 const std::string& switch_in_column(const Column& column) {
@@ -110,7 +122,7 @@ Columns columns_of_regimes(const Described& ground, const std::vector<Word>& wan
       is_known = is_known || !ignored.has_errors();
     }
     if (is_known) continue;
-    for (const auto& one : of_ground.all()) diagnostics.add(one);
+    for (const auto& one : of_ground.all()) diagnostics.add(with_modes(one, word.text));
   }
   return result;
 }

@@ -45,6 +45,8 @@ class Hybrid final : public Integrator<S> {
   /// Time that went into deriving and compiling regimes.
   const Seconds& making() const { return pool_.making(); }
   const Modes& modes() const { return modes_; }
+  /// That is in force.
+  const Regime<S>& regime() const { return *regime_; }
 
  private:
   bool start();

@@ -64,12 +64,13 @@ bool RegimeChoice<S>::is_allowed(const Opens& opens) const {
   });
 }
 
-/// First all closed, then what Gauss's principle with inequalities says, then all ways, where there are not too many.
+/// First all closed, then what Gauss's principle with inequalities says, then all ways, where there are not too many. Where no friction changes what the principle says, that comes first.
 template <class S>
 std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contacts() {
   std::vector<Opens> all(1);
   if (touching_.size() > 1) {
-    if (const auto opens = choice_of_least_constraint()) all.push_back(*opens);
+    if (const auto opens = choice_of_least_constraint())
+      all.insert(switches_.frictions.empty() ? all.begin() : all.end(), *opens);
   }
   if (touching_.size() > k_most_touching) return all;
   for (std::size_t choice = 1; choice < std::size_t(1) << touching_.size(); ++choice) {

@@ -45,7 +45,10 @@ class Regime {
         guards_(bound("guards")),
         impact_system_(bound("impact_system")),
         sampler_(*engine_, model_->model, model_->columns, *functions_),
-        row_(sampler_.size()) {}
+        row_(sampler_.size()) {
+    // Others may take some of it.
+    functions_->energy_layout.is_conserved = false;
+  }
 
   const std::vector<GuardOf>& guards() const { return model_->guards; }
   const Functions<S>& functions() const { return *functions_; }

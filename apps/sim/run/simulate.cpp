@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <type_traits>
 
 #include "gauss/integrate/step_result.hpp"
@@ -184,7 +186,7 @@ class Simulator {
       ++result_.untrusted_samples;
       result_.sample_status = status;
     }
-    if (listeners_.measures_drift) meter_.look(t, state);
+    if (listeners_.measures_drift) look_at_drift(t, state);
     if (listeners_.on_drift) listeners_.on_drift(static_cast<double>(t), meter_.energy(), meter_.constraints());
     if (listeners_.on_numbers) listeners_.on_numbers(k, in_long_double(row_.data(), row_.size()));
     if (listeners_.on_state) listeners_.on_state(k, static_cast<long double>(t), in_long_double(state, shown_.size()));
@@ -198,6 +200,22 @@ class Simulator {
     }
     result_.was_interrupted = Interruption::is_asked_for() && k + 1 < grid_.samples;
     return goes_on && !result_.was_interrupted;
+  }
+
+  /// Of what the regime in force keeps.
+  void look_at_drift(const S& t, const S* state) {
+    if (hybrid_ == nullptr) return meter_.look(t, state);
+    const Regime<S>& regime = hybrid_->regime();
+    meters_of_regimes_.try_emplace(&regime, regime.functions(), regime.model()).first->second.look(t, state);
+  }
+
+  void add_drift_of_regimes() {
+    for (const auto& [regime, meter] : meters_of_regimes_) {
+      const Drift& drift = meter.drift();
+      result_.drift.has_constraints = result_.drift.has_constraints || drift.has_constraints;
+      result_.drift.positions = std::max(result_.drift.positions, drift.positions);
+      result_.drift.velocities = std::max(result_.drift.velocities, drift.velocities);
+    }
   }
 
   static std::vector<long double> in_long_double(const S* values, std::size_t count) {
@@ -228,6 +246,7 @@ class Simulator {
       result_.regimes = prepared_.regimes->count();
     }
     result_.drift = meter_.drift();
+    add_drift_of_regimes();
     if (result_.drift.has_energy) result_.start_energy = text_of(meter_.start_energy());
     const bool can_go_on = result_.was_interrupted || result_.outcome == Outcome::too_many_steps;
     const Numbers<S>& last = can_go_on ? shown_ : integrator.state();
@@ -246,6 +265,7 @@ class Simulator {
   Grid<S> grid_;
   Sampler<S> sampler_;
   DriftMeter<S> meter_;
+  std::map<const Regime<S>*, DriftMeter<S>> meters_of_regimes_;
   Hybrid<S>* hybrid_ = nullptr;  ///< the integrator of a model with regimes
   std::vector<S> row_;
   Numbers<S> shown_;         ///< state of the last sample

@@ -7,6 +7,7 @@
 
 #include "catch_shim.hpp"
 #include "gauss/event/impulse.hpp"
+#include "gauss/event/least_constraint.hpp"
 
 using gauss::event::ImpactProblem;
 using gauss::event::ImpactSolver;
@@ -229,4 +230,56 @@ TEST_CASE("a contact that nothing can move takes no impulse and has no solution 
   problem.restitution = {0};
   problem.takes_part = {1};
   CHECK_FALSE(solved(problem).is_found);
+}
+
+TEST_CASE("without friction an impact is the convex quadratic programme that it is the solution of", "[event]") {
+  // u+ - u- is the least change with gamma+ >= -e gamma- (docs/theory.md, section 11): here by active sets, there by relaxation.
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<double> any(-1, 1), part(0, 1);
+  int compared = 0, parted = 0;
+  for (int round = 0; round < 300; ++round) {
+    const std::size_t n = 3 + static_cast<std::size_t>(round) % 5, contacts = 1 + static_cast<std::size_t>(round) % 4;
+    ImpactProblem<double> impact;
+    impact.speeds = n;
+    impact.constraints = n > 4 ? 1 : 0;
+    std::vector<double> root(n * n), before(n);
+    for (double& one : root) one = any(engine);
+    for (double& one : before) one = any(engine);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        double sum = i == j ? 0.5 : 0;
+        for (std::size_t k = 0; k < n; ++k) sum += root[i * n + k] * root[j * n + k];
+        impact.metric.push_back(sum);
+      }
+    gauss::event::ContactProblem<double> programme{n, impact.constraints, impact.metric, {}, {}};
+    for (std::size_t k = 0; k < impact.constraints + contacts; ++k) {
+      double rate = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        impact.rows.push_back(any(engine));
+        rate += impact.rows.back() * before[i];
+      }
+      impact.rates.push_back(rate);
+      if (k < impact.constraints) {
+        programme.right.push_back(-rate);
+        continue;
+      }
+      const double e = part(engine);
+      impact.restitution.push_back(e);
+      impact.takes_part.push_back(1);
+      programme.right.push_back((rate < 0 ? -e * rate : 0) - rate);
+    }
+    programme.rows = impact.rows;
+    const Impulses<double> found = solved(impact);
+    const auto expected = gauss::event::LeastConstraint<double>(programme).solve();
+    CAPTURE(round, n, contacts);
+    if (!expected.is_found) continue;
+    REQUIRE(found.is_found);
+    ++compared;
+    double size = 1;
+    for (const double one : expected.change) size = std::max(size, std::abs(one));
+    for (std::size_t i = 0; i < n; ++i) CHECK(std::abs(found.changes[i] - expected.change[i]) < 1e-9 * size);
+    for (std::size_t k = impact.constraints; k < impact.count(); ++k) parted += expected.reactions[k] == 0 ? 1 : 0;
+  }
+  CHECK(compared > 250);
+  CHECK(parted > 100);
 }
