@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "gauss/event/couplings.hpp"
 #include "gauss/event/dense.hpp"
 
 namespace gauss::event {
@@ -45,7 +46,8 @@ struct Impulses {
 template <class S>
 class ImpactSolver {
  public:
-  explicit ImpactSolver(const ImpactProblem<S>& problem) : problem_(problem) { form_responses(); }
+  explicit ImpactSolver(const ImpactProblem<S>& problem)
+      : problem_(problem), couplings_(problem.metric, problem.rows, problem.speeds, problem.count()) {}
 
   Impulses<S> solve() {
     impulses_.assign(problem_.count(), S(0));
@@ -55,31 +57,14 @@ class ImpactSolver {
     result.impulses = impulses_;
     result.changes.assign(problem_.speeds, S(0));
     for (std::size_t k = 0; k < problem_.count(); ++k)
-      for (std::size_t i = 0; i < problem_.speeds; ++i) result.changes[i] += impulses_[k] * responses_(k, i);
+      for (std::size_t i = 0; i < problem_.speeds; ++i) result.changes[i] += impulses_[k] * couplings_.responses(k, i);
     return result;
   }
 
  private:
-  /// M⁻¹ rowᵀ of each row, and what each changes of the others.
-  void form_responses() {
-    const std::size_t n = problem_.speeds, m = problem_.count();
-    DenseMatrix<S> metric(n, n);
-    metric.entries = problem_.metric;
-    responses_ = DenseMatrix<S>(m, n);
-    couplings_ = DenseMatrix<S>(m, m);
-    for (std::size_t k = 0; k < m; ++k) {
-      const auto begin = problem_.rows.begin() + static_cast<std::ptrdiff_t>(k * n);
-      const std::vector<S> found = solve_dense(metric, std::vector<S>(begin, begin + static_cast<std::ptrdiff_t>(n)));
-      std::copy(found.begin(), found.end(), responses_.entries.begin() + static_cast<std::ptrdiff_t>(k * n));
-    }
-    for (std::size_t k = 0; k < m; ++k)
-      for (std::size_t j = 0; j < m; ++j)
-        for (std::size_t i = 0; i < n; ++i) couplings_(k, j) += problem_.rows[k * n + i] * responses_(j, i);
-  }
-
   S rate(std::size_t row) const {
     S sum = problem_.rates[row];
-    for (std::size_t j = 0; j < problem_.count(); ++j) sum += couplings_(row, j) * impulses_[j];
+    for (std::size_t j = 0; j < problem_.count(); ++j) sum += couplings_.between(row, j) * impulses_[j];
     return sum;
   }
 
@@ -116,11 +101,11 @@ class ImpactSolver {
         impulses_[row] = value;
       };
       for (std::size_t k = 0; k < problem_.constraints; ++k)
-        if (couplings_(k, k) > S(0)) set(k, impulses_[k] - (rate(k) - S(0)) / couplings_(k, k));
+        if (couplings_.between(k, k) > S(0)) set(k, impulses_[k] - (rate(k) - S(0)) / couplings_.between(k, k));
       for (std::size_t c = 0; c < problem_.contacts(); ++c) {
         const std::size_t k = problem_.constraints + c;
-        if (problem_.takes_part[c] == 0 || !(couplings_(k, k) > S(0))) continue;
-        set(k, std::max(S(0), S(impulses_[k] - (rate(k) - target(c)) / couplings_(k, k))));
+        if (problem_.takes_part[c] == 0 || !(couplings_.between(k, k) > S(0))) continue;
+        set(k, std::max(S(0), S(impulses_[k] - (rate(k) - target(c)) / couplings_.between(k, k))));
       }
       for (std::size_t f = 0; f < problem_.slips.size(); ++f)
         if (may_have_limit(f)) relax_friction(f, set);
@@ -134,7 +119,7 @@ class ImpactSolver {
     S values[2] = {S(0), S(0)}, square = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t k = first + i;
-      if (couplings_(k, k) > S(0)) values[i] = impulses_[k] - rate(k) / couplings_(k, k);
+      if (couplings_.between(k, k) > S(0)) values[i] = impulses_[k] - rate(k) / couplings_.between(k, k);
       square += values[i] * values[i];
     }
     const S size = Math<S>::sqrt(square), most = limit(friction);
@@ -209,7 +194,7 @@ class ImpactSolver {
       const bool is_gap = row >= problem_.constraints && row < problem_.constraints + problem_.contacts();
       right[i] = (is_gap ? target(row - problem_.constraints) : S(0)) - problem_.rates[row];
       for (std::size_t j = 0; j < active.size(); ++j)
-        for (std::size_t k = 0; k < m; ++k) matrix(i, j) += couplings_(row, k) * by(k, active[j]);
+        for (std::size_t k = 0; k < m; ++k) matrix(i, j) += couplings_.between(row, k) * by(k, active[j]);
     }
     const std::vector<S> found = solve_dense(std::move(matrix), std::move(right));
     std::vector<S> all(m, S(0));
@@ -226,7 +211,7 @@ class ImpactSolver {
   }
 
   const ImpactProblem<S>& problem_;
-  DenseMatrix<S> responses_, couplings_;
+  Couplings<S> couplings_;
   std::vector<S> impulses_;
 };
 

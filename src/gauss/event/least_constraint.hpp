@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "gauss/event/couplings.hpp"
 #include "gauss/event/dense.hpp"
 
 namespace gauss::event {
@@ -37,7 +38,8 @@ struct ContactAccelerations {
 template <class S>
 class LeastConstraint {
  public:
-  explicit LeastConstraint(const ContactProblem<S>& problem) : problem_(problem) { form_couplings(); }
+  explicit LeastConstraint(const ContactProblem<S>& problem)
+      : problem_(problem), couplings_(problem.metric, problem.rows, problem.speeds, problem.count()) {}
 
   ContactAccelerations<S> solve() {
     ContactAccelerations<S> result;
@@ -59,27 +61,9 @@ class LeastConstraint {
   /// Of a row, what is none of its own beside those that are active.
   static S dependent() { return S(0.01) * Math<S>::sqrt(Math<S>::epsilon()); }
 
-  /// g⁻¹ rowᵀ of each row, and what each does along the others.
-  void form_couplings() {
-    const std::size_t n = problem_.speeds, m = problem_.count();
-    DenseMatrix<S> metric(n, n);
-    metric.entries = problem_.metric;
-    responses_ = DenseMatrix<S>(m, n);
-    couplings_ = DenseMatrix<S>(m, m);
-    for (std::size_t k = 0; k < m; ++k) {
-      std::vector<S> row(n);
-      for (std::size_t i = 0; i < n; ++i) row[i] = problem_.rows[k * n + i];
-      const std::vector<S> found = solve_dense(metric, row);
-      for (std::size_t i = 0; i < n; ++i) responses_(k, i) = found[i];
-    }
-    for (std::size_t k = 0; k < m; ++k)
-      for (std::size_t j = 0; j < m; ++j)
-        for (std::size_t i = 0; i < n; ++i) couplings_(k, j) += problem_.rows[k * n + i] * responses_(j, i);
-  }
-
   S rate(std::size_t row) const {
     S sum = -problem_.right[row];
-    for (std::size_t j = 0; j < problem_.count(); ++j) sum += couplings_(row, j) * reactions_[j];
+    for (std::size_t j = 0; j < problem_.count(); ++j) sum += couplings_.between(row, j) * reactions_[j];
     return sum;
   }
 
@@ -87,7 +71,7 @@ class LeastConstraint {
   S least(std::size_t row) const {
     S size = magnitude_of(problem_.right[row]);
     for (std::size_t j = 0; j < problem_.count(); ++j)
-      size = std::max(size, magnitude_of(S(couplings_(row, j) * reactions_[j])));
+      size = std::max(size, magnitude_of(S(couplings_.between(row, j) * reactions_[j])));
     return rounding() * size;
   }
 
@@ -99,7 +83,8 @@ class LeastConstraint {
     for (std::size_t k = problem_.equations; k < problem_.count(); ++k) {
       if (is_active(k)) continue;
       // Beside what the row itself can do: rows may have different units.
-      const S found = rate(k), per = couplings_(k, k) > S(0) ? S(found * found / couplings_(k, k)) : S(0);
+      const S found = rate(k),
+              per = couplings_.between(k, k) > S(0) ? S(found * found / couplings_.between(k, k)) : S(0);
       if (found < -least(k) && (worst == problem_.count() || per > size)) worst = k, size = per;
     }
     return worst;
@@ -110,8 +95,8 @@ class LeastConstraint {
     DenseMatrix<S> system(active_.size(), active_.size());
     std::vector<S> right(active_.size());
     for (std::size_t i = 0; i < active_.size(); ++i) {
-      right[i] = couplings_(active_[i], row);
-      for (std::size_t j = 0; j < active_.size(); ++j) system(i, j) = couplings_(active_[i], active_[j]);
+      right[i] = couplings_.between(active_[i], row);
+      for (std::size_t j = 0; j < active_.size(); ++j) system(i, j) = couplings_.between(active_[i], active_[j]);
     }
     return solve_dense(std::move(system), std::move(right));
   }
@@ -122,9 +107,9 @@ class LeastConstraint {
     for (;;) {
       const S violated = -rate(row);
       const std::vector<S> taken = shares(row);
-      S own = couplings_(row, row);
-      for (std::size_t i = 0; i < active_.size(); ++i) own -= taken[i] * couplings_(row, active_[i]);
-      const bool is_free = active_.size() < problem_.speeds && own > dependent() * couplings_(row, row);
+      S own = couplings_.between(row, row);
+      for (std::size_t i = 0; i < active_.size(); ++i) own -= taken[i] * couplings_.between(row, active_[i]);
+      const bool is_free = active_.size() < problem_.speeds && own > dependent() * couplings_.between(row, row);
       if (is_equation) {
         // One that follows from others has to be satisfied by them.
         if (!is_free) return magnitude_of(violated) <= S(1e3) * least(row);
@@ -163,7 +148,7 @@ class LeastConstraint {
     std::vector<S> right(active_.size());
     for (std::size_t i = 0; i < active_.size(); ++i) {
       right[i] = problem_.right[active_[i]];
-      for (std::size_t j = 0; j < active_.size(); ++j) system(i, j) = couplings_(active_[i], active_[j]);
+      for (std::size_t j = 0; j < active_.size(); ++j) system(i, j) = couplings_.between(active_[i], active_[j]);
     }
     const std::vector<S> found = solve_dense(std::move(system), std::move(right));
     std::fill(reactions_.begin(), reactions_.end(), S(0));
@@ -186,13 +171,13 @@ class LeastConstraint {
     result.change.assign(problem_.speeds, S(0));
     for (std::size_t k = 0; k < problem_.count(); ++k) {
       result.rates.push_back(is_active(k) ? S(0) : rate(k));
-      for (std::size_t i = 0; i < problem_.speeds; ++i) result.change[i] += reactions_[k] * responses_(k, i);
+      for (std::size_t i = 0; i < problem_.speeds; ++i) result.change[i] += reactions_[k] * couplings_.responses(k, i);
     }
     return result;
   }
 
   const ContactProblem<S>& problem_;
-  DenseMatrix<S> responses_, couplings_;
+  Couplings<S> couplings_;
   std::vector<S> reactions_;
   std::vector<std::size_t> active_;
 };

@@ -49,8 +49,8 @@ TEST_CASE("the least inside of a step is where the rate is 0 and rises", "[event
 }
 
 TEST_CASE("there is no least inside where the function rises, falls, or has its least elsewhere", "[event]") {
-  for (const Cubic& cubic : {Cubic{1, 1, 0, 0}, Cubic{1, -1, 0, 0}, Cubic{1, 0, 0, 0}, Cubic{0, 1, 0, 1}, Cubic{0, 1, -1, 0},
-                             Cubic{1, 2, 1, 0}, Cubic{5, -4, 1, 0}, Cubic{0, 0, 1, 0}})
+  for (const Cubic& cubic : {Cubic{1, 1, 0, 0}, Cubic{1, -1, 0, 0}, Cubic{1, 0, 0, 0}, Cubic{0, 1, 0, 1},
+                             Cubic{0, 1, -1, 0}, Cubic{1, 2, 1, 0}, Cubic{5, -4, 1, 0}, Cubic{0, 0, 1, 0}})
     CHECK_FALSE(least_inside(cubic.ends()));
 }
 

@@ -44,7 +44,8 @@ TEST_CASE("random systems are solved to rounding", "[event]") {
     const std::size_t n = 1 + static_cast<std::size_t>(round) % 9;
     DenseMatrix<double> matrix(n, n);
     for (double& one : matrix.entries) one = entry(random);
-    for (std::size_t i = 0; i < n; ++i) matrix(i, (i + 3) % n) += 4;  // away from singular ones, and not on the diagonal
+    for (std::size_t i = 0; i < n; ++i)
+      matrix(i, (i + 3) % n) += 4;  // away from singular ones, and not on the diagonal
     std::vector<double> right(n);
     for (double& one : right) one = entry(random);
     const std::vector<double> x = solve_dense(matrix, right), found = product(matrix, x);
@@ -62,7 +63,8 @@ TEST_CASE("what depends on others is left at 0, and the rest solves the system",
 
 TEST_CASE("scales of equations far from 1 are no lack of rank", "[event]") {
   for (const double scale : {1e-200, 1e200}) {
-    const std::vector<double> x = solve_dense(matrix_of(2, {2 * scale, scale, scale, 3 * scale}), {3 * scale, 4 * scale});
+    const std::vector<double> x =
+        solve_dense(matrix_of(2, {2 * scale, scale, scale, 3 * scale}), {3 * scale, 4 * scale});
     CHECK(std::abs(x[0] - 1) < 1e-15);
     CHECK(std::abs(x[1] - 1) < 1e-15);
   }

@@ -8,6 +8,7 @@
 #include "catch_shim.hpp"
 #include "gauss/event/impulse.hpp"
 #include "gauss/event/least_constraint.hpp"
+#include "random_metric.hpp"
 
 using gauss::event::ImpactProblem;
 using gauss::event::ImpactSolver;
@@ -242,15 +243,9 @@ TEST_CASE("without friction an impact is the convex quadratic programme that it 
     ImpactProblem<double> impact;
     impact.speeds = n;
     impact.constraints = n > 4 ? 1 : 0;
-    std::vector<double> root(n * n), before(n);
-    for (double& one : root) one = any(engine);
+    std::vector<double> before(n);
     for (double& one : before) one = any(engine);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) {
-        double sum = i == j ? 0.5 : 0;
-        for (std::size_t k = 0; k < n; ++k) sum += root[i * n + k] * root[j * n + k];
-        impact.metric.push_back(sum);
-      }
+    impact.metric = random_metric(engine, n);
     gauss::event::ContactProblem<double> programme{n, impact.constraints, impact.metric, {}, {}};
     for (std::size_t k = 0; k < impact.constraints + contacts; ++k) {
       double rate = 0;

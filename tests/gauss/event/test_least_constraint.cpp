@@ -6,6 +6,7 @@
 
 #include "catch_shim.hpp"
 #include "gauss/event/least_constraint.hpp"
+#include "random_metric.hpp"
 
 using gauss::event::ContactAccelerations;
 using gauss::event::ContactProblem;
@@ -68,14 +69,7 @@ ContactProblem<double> random_problem(std::mt19937& engine, std::size_t n, std::
   ContactProblem<double> problem;
   problem.speeds = n;
   problem.equations = equations;
-  std::vector<double> root(n * n);
-  for (double& one : root) one = any(engine);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      double sum = i == j ? 0.5 : 0;
-      for (std::size_t k = 0; k < n; ++k) sum += root[i * n + k] * root[j * n + k];
-      problem.metric.push_back(sum);
-    }
+  problem.metric = random_metric(engine, n);
   for (std::size_t k = 0; k < (equations + contacts) * n; ++k) problem.rows.push_back(any(engine));
   for (std::size_t k = 0; k < equations + contacts; ++k) problem.right.push_back(any(engine));
   return problem;
