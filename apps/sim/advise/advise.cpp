@@ -132,7 +132,7 @@ int advise(const AdviseOptions& options) {
     return cli::k_ok;
   }
   const double budget = options.budget.value_or(Wanted().budget);
-  const TimeLimit limit(budget);
+  const TimeLimit limit(budget, TimeLimit::Of::all);
   Engines engines(*prepared, engine_choice(prepared->scene));
   if (engines.of(number_name(prepared->scene)) == nullptr)
     return cli::fail(engines.why(), cli::k_file_error, options.messages);

@@ -75,6 +75,7 @@ class TightSearch {
       const Setting setting = by_other_terms(tight(fine_number, finer, longest_steps(prepared_).fine), prepared_);
       RunInRows fine = told(setting);
       if (!failure_.empty()) return std::nullopt;
+      agree_at_events(fine, coarse.run.events, coarse.rows, prepared_.span);
       Yardstick yardstick(std::move(fine.rows), coarse.rows, prepared_.columns.columns, k_least_range,
                           least_tolerance(fine_number));
       DeliveredError apart = yardstick.error_of(coarse.rows);

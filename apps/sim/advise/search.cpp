@@ -79,7 +79,8 @@ class OneMethod {
     // Whatever takes longer is of no use.
     constexpr double k_least_limit = 1, k_sure = 2;
     const TimeLimit limit(k_least_limit + k_sure * k_beaten * best);
-    const RunInRows told = in_rows(prepared_, engine_, setting, Meter::none);
+    RunInRows told = in_rows(prepared_, engine_, setting, Meter::none);
+    agree_at_events(told, {}, reference_.rows(), prepared_.span);
     throw_if_ended(whole_);
     Trial trial{setting,
                 {},
@@ -130,7 +131,7 @@ class Search {
         engines_(engines),
         error_(wanted.error),
         bar_(wanted.is_told),
-        limit_(wanted.budget),
+        limit_(wanted.budget, TimeLimit::Of::all),
         too_long_(fmt::format("no setting for an error of {:.1e} was found in {:.3g} s; {}", wanted.error,
                               wanted.budget,
                               prepared.edge.empty() ? "--budget gives it more" : hint_for_edge(prepared.edge))),

@@ -16,9 +16,9 @@ constexpr int k_halvings = 3;  ///< of steps within which a guard may dip
 }  // namespace
 
 template <class S>
-GuardedStep<S>::GuardedStep(const Regime<S>& regime, const Modes& modes, const S& t, const Array& x, std::string method,
+GuardedStep<S>::GuardedStep(const Regime<S>& regime, const Modes& modes, const Instant<S>& here, std::string method,
                             const MethodSettings<S>& of_method)
-    : regime_(regime), entered_(t), method_(std::move(method)), of_method_(of_method) {
+    : regime_(regime), here_(here), entered_(here.t), method_(std::move(method)), of_method_(of_method) {
   using Kind = gaussgen::model::Guard::Kind;
   for (std::size_t g = 0; g < regime.guards().size(); ++g) {
     const GuardOf& guard = regime.guards()[g];
@@ -26,8 +26,8 @@ GuardedStep<S>::GuardedStep(const Regime<S>& regime, const Modes& modes, const S
     if (guard.kind == Kind::falls) watched_.push_back({g, S(1), mode == "open"});
     if (guard.kind == Kind::slip && mode != "slides") watched_.push_back({g, S(mode == "backwards" ? -1 : 1), false});
   }
-  to_.t = t;
-  to_.x = x;
+  to_.t = here.t;
+  to_.x = here.x;
   look_at_guards(to_);
 }
 
@@ -148,8 +148,17 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
       high_value = found;
     }
   }
-  if (!(low_value > S(0))) return is_hit(one, from_.t, slow) ? std::optional<S>(from_.t) : std::nullopt;
   const S nearness = std::max(S(S(1e-13) * h), S(2 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(to_.t)));
+  if (!(low_value > S(0))) {
+    // What was above 0 for less than rounding tells, as at the end of bounces, is hit where it goes on closing.
+    if (is_hit(one, from_.t, slow)) return from_.t;
+    if (!is_hit(one, high, slow)) return std::nullopt;
+    for (low = from_.t; nearness < high - low;) {
+      const S middle = low + (high - low) / 2;
+      (is_hit(one, middle, slow) ? high : low) = middle;
+    }
+    return high;
+  }
   const S at = gauss::event::falls_through(low, low_value, high, high_value, nearness, value);
   return is_hit(one, at, slow) ? std::optional<S>(at) : std::nullopt;
 }
@@ -160,7 +169,9 @@ std::optional<typename GuardedStep<S>::Array> GuardedStep<S>::state_at(const S& 
   if (!(from_.t < t)) return from_.x;
   std::string why;
   const auto again = make_integrator(method_, regime_.motion(), from_.x, from_.t, of_method_, why);
-  if (!again || !again->advance_to(t)) return std::nullopt;
+  if (!again) return std::nullopt;
+  again->know_sizes(here_.sizes);
+  if (!again->advance_to(t)) return std::nullopt;
   return again->state();
 }
 

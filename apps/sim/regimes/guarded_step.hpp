@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/methods/methods.hpp"
+#include "sim/regimes/instant.hpp"
 #include "sim/regimes/regime.hpp"
 
 namespace gausssim {
@@ -21,8 +22,8 @@ class GuardedStep {
     std::vector<std::size_t> guards;  ///< all of this instant
   };
 
-  /// Steps begin at `t`, at which the regime is entered, and are made by `method`. `regime` outlives this.
-  GuardedStep(const Regime<S>& regime, const Modes& modes, const S& t, const Array& x, std::string method,
+  /// Steps begin `here`, where the regime is entered, and are made by `method`. `regime` and `here` outlive this.
+  GuardedStep(const Regime<S>& regime, const Modes& modes, const Instant<S>& here, std::string method,
               const MethodSettings<S>& of_method);
 
   /// The next step, from the end of the last one on.
@@ -54,6 +55,7 @@ class GuardedStep {
   S value_at(const S& t, const Watched& one) const;
 
   const Regime<S>& regime_;
+  const Instant<S>& here_;
   S entered_;
   std::string method_;
   MethodSettings<S> of_method_;

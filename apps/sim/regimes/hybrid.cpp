@@ -114,7 +114,7 @@ bool Hybrid<S>::start() {
   Standing<S> standing;
   if (!look(standing)) return false;
   here_.coordinates = ground()->functions().n_q;
-  here_.note_speeds(here_.x);
+  here_.note_sizes(here_.x);
   const Switches& switches = pool_.switches();
   const S touch = gap_that_is_none<S>(here_.x, here_.coordinates);
   std::set<std::string> closing;
@@ -195,11 +195,13 @@ void Hybrid<S>::integrate_by(const std::string& method) {
     method_ = name;
     why.clear();
     inner_ = make_integrator(name, regime_->motion(), here_.x, here_.t, settings, why);
-    if (inner_) break;
+    if (!inner_) continue;
+    inner_->know_sizes(here_.sizes);
+    break;
   }
   if (!inner_) return stop(Outcome::bad_settings, why);
   unwatched_ = 0;
-  last_step_.emplace(*regime_, modes_, here_.t, here_.x, method_, setting_.of_method);
+  last_step_.emplace(*regime_, modes_, here_, method_, setting_.of_method);
 }
 
 /// Slip in two directions is a root of squares, which no step passes: steps end before, and come near by a tenth each.
@@ -257,7 +259,7 @@ void Hybrid<S>::step(const S& end) {
     here_.x = inner_->state();
     return stop(own.outcome == Outcome::running ? Outcome::step_too_small : own.outcome, own.why);
   }
-  here_.note_speeds(inner_->state());
+  here_.note_sizes(inner_->state());
   last_step_->end_at(inner_->time(), inner_->state());
   if (const auto fired = last_step_->first(here_.slow())) {
     const std::optional<Array> x = last_step_->state_at(fired->t);

@@ -8,6 +8,7 @@ namespace gausssim {
 namespace {
 
 constexpr double k_rest = 1e-8;  ///< of the time since the start: impacts that would end within it are at an end
+constexpr double k_flat = 16;    ///< units of rounding of places: bounces that are no higher are none
 
 /// How long the impacts that would follow take: a geometric series of flights.
 template <class S>
@@ -22,8 +23,11 @@ void forget_rebounds_without_end(const Regime<S>& ground, const Switches& switch
     const S acceleration = (then.gap_rate(c) - before) / dt;
     if (!(acceleration < S(0))) continue;
     const S rest = 2 * e * before / acceleration / (S(1) - e);
+    const S height = -e * e * before * before / acceleration / 2;
     const S least = 64 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(here.t);
-    if (rest < S(k_rest) * (here.t - here.start) || rest < least) problem.restitution[c] = S(0);
+    const bool is_brief = rest < S(k_rest) * (here.t - here.start) || rest < least;
+    if (is_brief || height < S(k_flat) * gauss::Math<S>::epsilon() * largest_of(here.x.data(), here.coordinates))
+      problem.restitution[c] = S(0);
   }
 }
 
@@ -41,7 +45,7 @@ std::optional<std::vector<Hit>> hit(const Regime<S>& ground, const Switches& swi
   const gauss::event::Impulses<S> found = gauss::event::ImpactSolver<S>(problem).solve();
   if (!found.is_found) return why = "no impulses satisfy the law of this impact", std::nullopt;
   for (std::size_t i = 0; i < problem.speeds; ++i) here.x[here.coordinates + i] += found.changes[i];
-  here.note_speeds(here.x);
+  here.note_sizes(here.x);
   std::vector<Hit> hits;
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;

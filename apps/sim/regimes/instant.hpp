@@ -15,6 +15,7 @@ struct Instant {
   S t = 0, start = 0, last_event = 0;
   Numbers<S> x;
   std::size_t coordinates = 0;   ///< of the state, which stand before its speeds
+  Numbers<S> sizes;              ///< largest of each component so far
   S fastest = 0;                 ///< speed so far
   std::set<std::string> closed;  ///< contacts, beside those that open at this instant
   std::set<std::string> halted;  ///< frictions whose slip has come to its end here, whatever rounding has left of it
@@ -22,7 +23,9 @@ struct Instant {
 
   /// What counts as standing still: speeds beside the largest one so far.
   S slow() const { return S(1e-10) * fastest; }
-  void note_speeds(const Numbers<S>& state) {
+  void note_sizes(const Numbers<S>& state) {
+    sizes.resize(state.size(), S(0));
+    for (std::size_t i = 0; i < state.size(); ++i) sizes[i] = std::max(sizes[i], gauss::event::magnitude_of(state[i]));
     fastest = std::max(fastest, largest_of(state.data() + coordinates, state.size() - coordinates));
   }
 

@@ -17,6 +17,11 @@ void Rows::set(long k, const std::vector<long double>& row) {
   count_ = std::max(count_, k + 1);
 }
 
+void Rows::take(long k, const Rows& other) {
+  const auto first = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(k) * columns_);
+  std::copy_n(other.values_.begin() + first, columns_, values_.begin() + first);
+}
+
 // In long double, whose range other number types do not leave.
 Extent extent_of(const Rows& rows, std::size_t column) {
   long double least = std::numeric_limits<long double>::infinity(), most = -least;

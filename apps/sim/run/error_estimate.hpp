@@ -22,6 +22,8 @@ class Rows {
   Rows(std::size_t columns, long samples);
 
   void set(long k, const std::vector<long double>& row);
+  /// One of another run with the same columns.
+  void take(long k, const Rows& other);
   /// Those of the first `samples`, if there are more.
   void keep(long samples) { count_ = std::min(count_, samples); }
   std::size_t columns() const { return columns_; }

@@ -1,5 +1,8 @@
 #include "sim/run/in_rows.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/run/interruption.hpp"
 
 namespace gausssim {
@@ -21,6 +24,26 @@ std::future<RunInRows> begin_in_rows(const PreparedModel& prepared, const Engine
     const TimeLimit limit(seconds);
     return in_rows(prepared, *engine.another(), setting, Meter::none);
   });
+}
+
+namespace {
+
+/// A part of the duration: as near as events are known.
+constexpr double k_at_event = 1e-9;
+
+void agree_at(double t, const Span& span, const Rows& rows, Rows& other) {
+  const double dt = span.every > 0 ? span.every : span.duration / static_cast<double>(std::max(span.samples - 1, 1L));
+  const double place = (t - span.start) / dt, nearest = std::round(place);
+  const bool is_near = std::fabs(place - nearest) * dt <= k_at_event * span.duration;
+  const auto k = static_cast<long>(nearest);
+  if (is_near && k >= 0 && k < std::min(rows.samples(), other.samples())) other.take(k, rows);
+}
+
+}  // namespace
+
+void agree_at_events(RunInRows& other, const std::vector<Event>& events, const Rows& rows, const Span& span) {
+  for (const auto& all : {events, other.run.events})
+    for (const Event& event : all) agree_at(event.t, span, rows, other.rows);
 }
 
 bool gets_as_far(const Simulated& other, const Simulated& run) {

@@ -82,7 +82,7 @@ EndsAtOnce::EndsAtOnce(const gaussgen::cli::MessageOptions& messages) {
 
 EndsAtOnce::~EndsAtOnce() { last_words = nullptr; }
 
-TimeLimit::TimeLimit(double seconds) : outer_(innermost) {
+TimeLimit::TimeLimit(double seconds, Of of) : outer_(innermost), of_(of) {
   constexpr double k_for_ever = 1e9;
   const std::chrono::duration<double> span(std::clamp(seconds, 0.0, k_for_ever));
   own_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(span);
@@ -100,14 +100,15 @@ TimeLimit::Clock::time_point TimeLimit::end() const { return outer_ == nullptr ?
 bool TimeLimit::is_over() const { return Clock::now() >= end(); }
 
 LimitsOfRunsWait::LimitsOfRunsWait() : began_(TimeLimit::Clock::now()) {
-  const TimeLimit* one = innermost;
-  while (one != nullptr && one->outer_ != nullptr) one = one->outer_;
-  if (one != nullptr) deadline = one->own_;
+  deadline = TimeLimit::Clock::time_point::max();
+  for (const TimeLimit* one = innermost; one != nullptr; one = one->outer_)
+    if (one->of_ == TimeLimit::Of::all) deadline = std::min(deadline, one->own_);
 }
 
 LimitsOfRunsWait::~LimitsOfRunsWait() {
   const auto taken = TimeLimit::Clock::now() - began_;
-  for (TimeLimit* one = innermost; one != nullptr && one->outer_ != nullptr; one = one->outer_) one->own_ += taken;
+  for (TimeLimit* one = innermost; one != nullptr; one = one->outer_)
+    if (one->of_ == TimeLimit::Of::run) one->own_ += taken;
   if (innermost != nullptr) deadline = innermost->end();
 }
 

@@ -36,7 +36,9 @@ class TimeLimit {
  public:
   using Clock = std::chrono::steady_clock;
 
-  explicit TimeLimit(double seconds);
+  enum class Of { run, all };  ///< all: of everything that is done meanwhile, not only of runs
+
+  explicit TimeLimit(double seconds, Of of = Of::run);
   TimeLimit(const TimeLimit&) = delete;
   TimeLimit& operator=(const TimeLimit&) = delete;
   ~TimeLimit();
@@ -49,10 +51,11 @@ class TimeLimit {
   Clock::time_point end() const;
 
   TimeLimit* outer_;
+  Of of_;
   Clock::time_point own_;
 };
 
-/// While it lives, limits of its thread do not count, apart from the one around them all: what is done once for all runs, as to derive and compile, is no time of one of them.
+/// While it lives, limits of runs of its thread do not count: what is done once for all of them, as to derive and compile, is no time of one.
 class LimitsOfRunsWait {
  public:
   LimitsOfRunsWait();

@@ -67,6 +67,7 @@ class Tightening {
   /// As the run goes.
   RunInRows as_far(RunInRows other) const {
     other.rows.keep(rows_.samples());
+    agree_at_events(other, run_.events, rows_, prepared_.span);
     return other;
   }
 

@@ -113,7 +113,7 @@ class Solver {
   /// None where it does not come to its end.
   void show_motion() {
     const Form& first = problem_.forms.front();
-    const TimeLimit limit(options_.budget);
+    const TimeLimit limit(options_.budget, TimeLimit::Of::all);
     auto motion = motion_of(first.model, *first.engine, default_setting(first.model, *first.engine));
     if (Interruption::is_asked_for()) throw Interrupted{};
     if (!limit.is_over()) problem_.motion = std::move(motion);
@@ -139,7 +139,7 @@ class Solver {
 
   DeliveredError tight_error_of(Form& form) const {
     constexpr double k_tight = 1e-11;
-    const TimeLimit limit(options_.budget);
+    const TimeLimit limit(options_.budget, TimeLimit::Of::all);
     Setting setting = default_setting(form.model, *form.engine);
     setting.tolerance = k_tight;
     const DeliveredError error = error_of(form.model, *form.engine, setting, problem_.reference, form.why);

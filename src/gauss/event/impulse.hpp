@@ -130,6 +130,7 @@ class ImpactSolver {
   /// What each row is, from what was found: then impulses follow from linear equations, to rounding.
   bool settle() {
     constexpr int k_passes = 40;
+    const std::vector<S> relaxed = impulses_;
     for (int pass = 0; pass < k_passes; ++pass) {
       const std::vector<S> before = impulses_;
       solve_active();
@@ -138,21 +139,48 @@ class ImpactSolver {
         moved = std::max(moved, magnitude_of(S(impulses_[k] - before[k])));
         size = std::max(size, magnitude_of(impulses_[k]));
       }
-      if (!(moved > 64 * Math<S>::epsilon() * size)) return holds(size);
+      if (!(moved > 64 * Math<S>::epsilon() * size)) break;
     }
-    return holds(S(0));
+    if (holds()) return true;
+    impulses_ = relaxed;
+    return holds();
   }
 
-  /// The law, with what is left of it beside the largest impulse.
-  bool holds(const S&) const {
-    S fastest = 0;
+  /// The whole law, to rounding of what was relaxed.
+  bool holds() const {
+    S fastest = 0, largest = 0;
     for (const S& one : problem_.rates) fastest = std::max(fastest, magnitude_of(one));
-    const S rounding = least(1e-9) * fastest;
+    for (const S& one : impulses_) largest = std::max(largest, magnitude_of(one));
+    const S of_rates = least(1e-9) * fastest, of_impulses = least(1e-9) * largest;
+    for (std::size_t k = 0; k < problem_.constraints; ++k)
+      if (!(magnitude_of(rate(k)) <= of_rates)) return false;
     for (std::size_t c = 0; c < problem_.contacts(); ++c) {
       if (problem_.takes_part[c] == 0) continue;
-      if (rate(problem_.constraints + c) < target(c) - rounding) return false;
+      const std::size_t k = problem_.constraints + c;
+      const S above = rate(k) - target(c);
+      if (!(above >= -of_rates) || !(impulses_[k] >= -of_impulses)) return false;
+      if (impulses_[k] > of_impulses && above > of_rates) return false;
     }
+    for (std::size_t f = 0; f < problem_.slips.size(); ++f)
+      if (may_have_limit(f) && !friction_holds(f, of_rates, of_impulses)) return false;
     return true;
+  }
+
+  bool friction_holds(std::size_t friction, const S& of_rates, const S& of_impulses) const {
+    const std::size_t first = problem_.first_slip(friction), count = problem_.slips[friction];
+    const S most = limit(friction), slip = length(first, count, [this](std::size_t k) { return rate(k); });
+    const S taken = length(first, count, [this](std::size_t k) { return impulses_[k]; });
+    if (!(taken <= most + of_impulses)) return false;
+    for (std::size_t k = first; slip > of_rates && k < first + count; ++k)
+      if (!(magnitude_of(S(impulses_[k] + most * rate(k) / slip)) <= of_impulses)) return false;
+    return true;
+  }
+
+  template <class Value>
+  static S length(std::size_t first, std::size_t count, const Value& value) {
+    S square = 0;
+    for (std::size_t k = first; k < first + count; ++k) square += value(k) * value(k);
+    return Math<S>::sqrt(square);
   }
 
   void solve_active() {
@@ -161,30 +189,28 @@ class ImpactSolver {
     for (std::size_t k = 0; k < problem_.constraints; ++k) active.push_back(k);
     for (std::size_t c = 0; c < problem_.contacts(); ++c)
       if (problem_.takes_part[c] != 0 && is_pressed(c)) active.push_back(problem_.constraints + c);
+    S fastest = 0;
+    for (const S& one : problem_.rates) fastest = std::max(fastest, magnitude_of(one));
     // Slip that is left has its friction from the contacts: a part of their columns.
     DenseMatrix<S> by(m, m);
     for (std::size_t k = 0; k < m; ++k) by(k, k) = S(1);
     for (std::size_t f = 0; f < problem_.slips.size(); ++f) {
       if (!may_have_limit(f)) continue;
       const std::size_t first = problem_.first_slip(f), count = problem_.slips[f];
-      S slip[2] = {S(0), S(0)}, square = 0, taken = 0;
-      for (std::size_t i = 0; i < count; ++i) {
-        slip[i] = rate(first + i);
-        square += slip[i] * slip[i];
-        taken += impulses_[first + i] * impulses_[first + i];
-      }
-      const S most = limit(f);
-      const bool sticks = most > S(0) && Math<S>::sqrt(taken) < most * (S(1) - least(1e-9));
-      for (std::size_t i = 0; i < count; ++i) {
+      const S most = limit(f), slip = length(first, count, [this](std::size_t k) { return rate(k); });
+      const S taken = length(first, count, [this](std::size_t k) { return impulses_[k]; });
+      const bool sticks = most > S(0) && taken < most * (S(1) - least(1e-9));
+      // What has come to rest with all that friction has tells its direction by that alone.
+      const bool rests = !(slip > least(1e-9) * fastest) && taken > S(0);
+      for (std::size_t k = first; k < first + count; ++k) {
         if (sticks) {
-          active.push_back(first + i);
+          active.push_back(k);
           continue;
         }
-        by(first + i, first + i) = S(0);
-        const S size = Math<S>::sqrt(square);
-        const S direction = size > S(0) ? S(slip[i] / size) : S(0);
+        by(k, k) = S(0);
+        const S direction = rests ? S(-impulses_[k] / taken) : slip > S(0) ? S(rate(k) / slip) : S(0);
         for (std::size_t c = 0; c < problem_.contacts(); ++c)
-          by(first + i, problem_.constraints + c) = -direction * problem_.limits[f * problem_.contacts() + c];
+          by(k, problem_.constraints + c) = -direction * problem_.limits[f * problem_.contacts() + c];
       }
     }
     DenseMatrix<S> matrix(active.size(), active.size());

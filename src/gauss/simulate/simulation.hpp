@@ -83,6 +83,9 @@ class Simulation {
     return report_.outcome == Outcome::running;
   }
 
+  /// How large components have been in the same motion, before this part of it: scales of errors are no less.
+  void know_sizes(const integrate::StateArray<Model>& sizes) { control_.grow(sizes); }
+
   const Scalar& time() const { return t_; }
   State state() const { return Arrays::state_of(x_); }
   /// As it is in force: of one that writes its state in other coordinates from time to time.

@@ -278,3 +278,30 @@ TEST_CASE("without friction an impact is the convex quadratic programme that it 
   CHECK(compared > 250);
   CHECK(parted > 100);
 }
+
+TEST_CASE("what comes to rest with all the friction that a contact has is not pushed on by it", "[event]") {
+  // A box with one foot on the floor, and sliding on it, whose other foot hits: the motion of tests/sim/cli/test_regimes_impacts.py. Both slips come to rest, one
+  // friction at its limit; the sign of what rounding leaves of a slip is no direction.
+  for (const double rounding : {-1e-15, 0.0, 1e-15}) {
+    ImpactProblem<double> problem;
+    problem.speeds = 3;
+    problem.metric = {1, 0, 0, 0, 1, 0, 0, 0, 0.34 / 3};
+    problem.rows = {0, 1, 0.5, 0, 1, -0.5, 1, 0, -0.3, 1, 0, -0.3};
+    problem.rates = {-1.2459003107558324, rounding, 0.21181098843110366, 0.21181098843110366 + rounding};
+    problem.restitution = {0.4, 0.4};
+    problem.takes_part = {1, 1};
+    problem.slips = {1, 1};
+    problem.limits = {0.4, 0, 0, 0.4};
+    const Impulses<double> found = solved(problem);
+    REQUIRE(found.is_found);
+    const auto after = [&](std::size_t k) {
+      double sum = problem.rates[k];
+      for (std::size_t i = 0; i < 3; ++i) sum += problem.rows[k * 3 + i] * found.changes[i];
+      return sum;
+    };
+    CHECK(std::abs(after(0) - 0.4 * 1.2459003107558324) < 1e-14);
+    CHECK(std::abs(after(1)) < 1e-14);
+    CHECK(std::abs(after(2)) < 1e-14);
+    for (std::size_t f = 0; f < 2; ++f) CHECK(std::abs(found.impulses[2 + f]) <= 0.4 * found.impulses[f] * (1 + 1e-12));
+  }
+}

@@ -106,6 +106,36 @@ def cradle(balls=range(1, 6), contacts=range(1, 5), spaces="0"):
         contacts="".join(f"  c{i}: {{gap: x{i + 1} - x{i} - d, restitution: e}}\n" for i in contacts))
 
 
+BOX_IN_AIR = """gauss: 1
+name: tumbling_box
+parameters: {m: 1, a: 0.5, h: 0.3, mu: 0.4, g: 9.81, e: 0.4}
+coordinates: {x: {initial_rate: 1}, z: {initial: 1.2}, phi: {initial: 0.4, initial_rate: 1}}
+frames: {f: {position: [x, 0, z], orientation: {axis: y, angle: phi}}}
+bodies: {box: {frame: f, mass: m, inertia: [1, "m*(a^2 + h^2)/3", 1]}}
+points: {p1: {on: box, at: [-a, 0, -h]}, p2: {on: box, at: [a, 0, -h]}, p3: {on: box, at: [-a, 0, h]}, p4: {on: box, at: [a, 0, h]}}
+contacts:
+  c1: {gap: p1.z, restitution: e}
+  c2: {gap: p2.z, restitution: e}
+  c3: {gap: p3.z, restitution: e}
+  c4: {gap: p4.z, restitution: e}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  f1: {slides: box, at: p1, directions: [x], limit: mu*c1.reaction}
+  f2: {slides: box, at: p2, directions: [x], limit: mu*c2.reaction}
+  f3: {slides: box, at: p3, directions: [x], limit: mu*c3.reaction}
+  f4: {slides: box, at: p4, directions: [x], limit: mu*c4.reaction}
+"""
+
+# Into the corner, so that two walls are hit at once.
+ROOM = """gauss: 1
+name: room
+parameters: {m: 1, e: 0.8}
+coordinates: {x: {initial: 0.5, initial_rate: 1}, y: {initial: 0.5, initial_rate: 1}}
+particles: {p: {mass: m, position: [x, y, 0]}}
+contacts: {l: {gap: x, restitution: e}, r: {gap: 1 - x, restitution: e}, b: {gap: y, restitution: e}, t: {gap: 1 - y, restitution: e}}
+"""
+
+
 class Impacts(Regimes):
     def rows(self, table):
         return [dict(zip(table, values)) for values in zip(*table.values())]
@@ -330,6 +360,31 @@ class Impacts(Regimes):
             self.assertEqual([words for _, words, _ in events], [words for _, words, _ in exact], how)
             for (t, _, _), (other, _, _) in zip(events, exact):
                 self.assertAlmostEqual(t, other, delta=1e-9, msg=how)
+
+    def test_a_box_that_tumbles_and_comes_to_rest_moves_alike_however_it_is_integrated(self):
+        """Four corners with restitution and friction, bounces without end on one corner while the other one slides."""
+        rows = []
+        for options in (("--tolerance", "1e-9"), ("--tolerance", "1e-11"), ("--tolerance", "1e-13"),
+                        ("--tolerance", "1e-12", "--longest-step", "1e-3"), ("--tolerance", "1e-12", "--longest-step", "3e-4")):
+            table, events = self.go(BOX_IN_AIR, "--duration", "2", "--samples", "201", *options, timeout=20)
+            rows.append([column[60:] for name, column in table.items() if not name.startswith("energy")])
+            energy = table["energy.total"]
+            self.assertTrue(all(later <= before + 1e-9 for before, later in zip(energy, energy[1:])))
+            for z, phi in zip(table["z"], table["phi"]):
+                for x, height in ((-0.5, -0.3), (0.5, -0.3), (-0.5, 0.3), (0.5, 0.3)):
+                    self.assertGreater(z - x * math.sin(phi) + height * math.cos(phi), -1e-8)
+            self.assertEqual((table["x_dot"][-1], table["z_dot"][-1], table["phi_dot"][-1]), (0, 0, 0))
+            self.assertGreater(len(events), 40)
+        for other in rows[1:]:
+            for one, column in zip(rows[0], other, strict=True):
+                self.assertLess(max(abs(a - b) for a, b in zip(one, column)), 1e-7)
+
+    def test_samples_at_the_instant_of_an_impact_are_no_error(self):
+        self.write("model.yaml", ROOM)  # speeds 1: hits walls at 0.5, which is a sample
+        said = self.ok("run", "model.yaml", "--duration", "2", "--samples", "101", "-o", "x.csv")
+        self.assertIn("hits", said)
+        self.assertLess(self.summary("x.json")["error_estimate"]["relative"], 1e-10)
+
 
 
 if __name__ == "__main__":
