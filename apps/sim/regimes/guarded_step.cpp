@@ -114,8 +114,8 @@ bool GuardedStep<S>::is_hit(const Watched& one, const S& at, const S& slow) cons
   if (!one.is_told) return true;
   const std::optional<Place> place = place_at(at);
   if (!place) return true;
-  return place->rates[one.guard] < -slow ||
-         place->values[one.guard] < -gap_that_is_none<S>(place->x, regime_.functions().n_q);
+  const S rate = place->rates[one.guard];
+  return rate < -slow || (rate < S(0) && place->values[one.guard] < -gap_that_is_none<S>(place->x, here_.coordinates));
 }
 
 /// The time at which a guard falls through 0 within the last step.
@@ -134,6 +134,7 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
   // What rounding has left a little below 0 is no event while it rises.
   if (!(begin > S(0)) && one.sense * from_.rates[g] > S(0) && high_value >= begin) return std::nullopt;
   // What has just been at 0 is above it for a while, unless it falls at once.
+  const S last = high;
   S low = from_.t, low_value = begin;
   constexpr int k_looks = 40;
   for (int k = 0; k < k_looks && !(low_value > S(0)); ++k) {
@@ -149,18 +150,21 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
     }
   }
   const S nearness = std::max(S(S(1e-13) * h), S(2 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(to_.t)));
-  if (!(low_value > S(0))) {
-    // What was above 0 for less than rounding tells, as at the end of bounces, is hit where it goes on closing.
-    if (is_hit(one, from_.t, slow)) return from_.t;
-    if (!is_hit(one, high, slow)) return std::nullopt;
-    for (low = from_.t; nearness < high - low;) {
-      const S middle = low + (high - low) / 2;
-      (is_hit(one, middle, slow) ? high : low) = middle;
-    }
-    return high;
+  const S at =
+      low_value > S(0) ? gauss::event::falls_through(low, low_value, high, high_value, nearness, value) : from_.t;
+  return first_hit(one, at, last, slow, nearness);
+}
+
+/// A bounce may be lower than a gap is rounded: it is hit where it goes on closing.
+template <class S>
+std::optional<S> GuardedStep<S>::first_hit(const Watched& one, S low, S high, const S& slow, const S& nearness) const {
+  if (is_hit(one, low, slow)) return low;
+  if (!is_hit(one, high, slow)) return std::nullopt;
+  while (nearness < high - low) {
+    const S middle = low + (high - low) / 2;
+    (is_hit(one, middle, slow) ? high : low) = middle;
   }
-  const S at = gauss::event::falls_through(low, low_value, high, high_value, nearness, value);
-  return is_hit(one, at, slow) ? std::optional<S>(at) : std::nullopt;
+  return high;
 }
 
 /// Within the last step, by steps that end there.

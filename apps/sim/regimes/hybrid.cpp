@@ -139,7 +139,8 @@ void Hybrid<S>::hit_at(const std::set<std::string>& closing) {
   Standing<S> standing;
   if (!look(standing)) return;
   std::string why;
-  const auto hits = hit(*ground(), pool_.switches(), standing, closing, here_, why);
+  Regime<S>& free = *ground();
+  const auto hits = hit(free, regime_ == nullptr ? free : *regime_, standing, pool_.switches(), closing, here_, why);
   if (!hits) return stop(Outcome::no_regime, why);
   for (const Hit& one : *hits) note(one.contact + " " + k_hits, one.impulse);
 }

@@ -12,18 +12,19 @@ constexpr double k_flat = 16;    ///< units of rounding of places: bounces that 
 
 /// How long the impacts that would follow take: a geometric series of flights.
 template <class S>
-void forget_rebounds_without_end(const Regime<S>& ground, const Switches& switches, const Standing<S>& standing,
-                                 const Instant<S>& here, gauss::event::ImpactProblem<S>& problem) {
+void forget_rebounds_without_end(const Regime<S>& ground, const Regime<S>& before, const Switches& switches,
+                                 const Standing<S>& standing, const Instant<S>& here,
+                                 gauss::event::ImpactProblem<S>& problem) {
   const S dt = here.a_while(S(1e-7), S(1e-7));
   Standing<S> then;
-  if (!find_standing(ground, switches, S(here.t + dt), moved(here.x, ground.rates(here.t, here.x), dt), then)) return;
+  if (!find_standing(ground, switches, S(here.t + dt), moved(here.x, before.rates(here.t, here.x), dt), then)) return;
   for (std::size_t c = 0; c < problem.contacts(); ++c) {
-    const S e = problem.restitution[c], before = standing.gap_rate(c);
-    if (problem.takes_part[c] == 0 || !(e > S(0)) || !(e < S(1)) || !(before < S(0))) continue;
-    const S acceleration = (then.gap_rate(c) - before) / dt;
+    const S e = problem.restitution[c], rate = standing.gap_rate(c);
+    if (problem.takes_part[c] == 0 || !(e > S(0)) || !(e < S(1)) || !(rate < S(0))) continue;
+    const S acceleration = (then.gap_rate(c) - rate) / dt;
     if (!(acceleration < S(0))) continue;
-    const S rest = 2 * e * before / acceleration / (S(1) - e);
-    const S height = -e * e * before * before / acceleration / 2;
+    const S rest = 2 * e * rate / acceleration / (S(1) - e);
+    const S height = -e * e * rate * rate / acceleration / 2;
     const S least = 64 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(here.t);
     const bool is_brief = rest < S(k_rest) * (here.t - here.start) || rest < least;
     if (is_brief || height < S(k_flat) * gauss::Math<S>::epsilon() * largest_of(here.x.data(), here.coordinates))
@@ -34,14 +35,15 @@ void forget_rebounds_without_end(const Regime<S>& ground, const Switches& switch
 }  // namespace
 
 template <class S>
-std::optional<std::vector<Hit>> hit(const Regime<S>& ground, const Switches& switches, const Standing<S>& standing,
-                                    const std::set<std::string>& closing, Instant<S>& here, std::string& why) {
+std::optional<std::vector<Hit>> hit(const Regime<S>& ground, const Regime<S>& before, const Standing<S>& standing,
+                                    const Switches& switches, const std::set<std::string>& closing, Instant<S>& here,
+                                    std::string& why) {
   gauss::event::ImpactProblem<S> problem = standing.impact;
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
     problem.takes_part[c] = here.closed.count(name) > 0 || closing.count(name) > 0 ? 1 : 0;
   }
-  forget_rebounds_without_end(ground, switches, standing, here, problem);
+  forget_rebounds_without_end(ground, before, switches, standing, here, problem);
   const gauss::event::Impulses<S> found = gauss::event::ImpactSolver<S>(problem).solve();
   if (!found.is_found) return why = "no impulses satisfy the law of this impact", std::nullopt;
   for (std::size_t i = 0; i < problem.speeds; ++i) here.x[here.coordinates + i] += found.changes[i];
@@ -54,9 +56,10 @@ std::optional<std::vector<Hit>> hit(const Regime<S>& ground, const Switches& swi
   return hits;
 }
 
-#define GAUSS_SIM_NUMBER(S)                                                                           \
-  template std::optional<std::vector<Hit>> hit(const Regime<S>&, const Switches&, const Standing<S>&, \
-                                               const std::set<std::string>&, Instant<S>&, std::string&);
+#define GAUSS_SIM_NUMBER(S)                                                                                \
+  template std::optional<std::vector<Hit>> hit(const Regime<S>&, const Regime<S>&, const Standing<S>&,     \
+                                               const Switches&, const std::set<std::string>&, Instant<S>&, \
+                                               std::string&);
 GAUSS_SIM_NUMBER(float)
 GAUSS_SIM_NUMBER(double)
 GAUSS_SIM_NUMBER(long double)

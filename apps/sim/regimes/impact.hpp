@@ -19,10 +19,11 @@ struct Hit {
   double impulse = 0;
 };
 
-/// Impulses on all that touches; contacts whose impacts would follow each other without end do not rebound. `here.x` becomes the state after them. Nothing, and why: none
-/// satisfy the law.
+/// Impulses on all that touches; contacts whose impacts would follow each other without end do not rebound. `before`: the regime until then, which tells what closes them again. `here.x` becomes the
+/// state after them. Nothing, and why: none satisfy the law.
 template <class S>
-std::optional<std::vector<Hit>> hit(const Regime<S>& ground, const Switches& switches, const Standing<S>& standing,
-                                    const std::set<std::string>& closing, Instant<S>& here, std::string& why);
+std::optional<std::vector<Hit>> hit(const Regime<S>& ground, const Regime<S>& before, const Standing<S>& standing,
+                                    const Switches& switches, const std::set<std::string>& closing, Instant<S>& here,
+                                    std::string& why);
 
 }  // namespace gausssim

@@ -126,6 +126,16 @@ forces:
   f4: {slides: box, at: p4, directions: [x], limit: mu*c4.reaction}
 """
 
+# Three boxes, each of a height of 0.5, above each other.
+TOWER = """gauss: 1
+name: tower
+parameters: {m: 1, h: 0.5, g: 9.81, e: 0.3}
+coordinates: {a: {initial: 0.5}, b: {initial: 1.2}, c: {initial: 2.1}}
+particles: {A: {mass: m, position: [0, 0, a]}, B: {mass: m, position: [0, 0, b]}, C: {mass: m, position: [0, 0, c]}}
+contacts: {c0: {gap: a, restitution: e}, c1: {gap: b - a - h, restitution: e}, c2: {gap: c - b - h, restitution: e}}
+forces: {gravity: {uniform: [0, 0, -g]}}
+"""
+
 # Into the corner, so that two walls are hit at once.
 ROOM = """gauss: 1
 name: room
@@ -378,6 +388,20 @@ class Impacts(Regimes):
         for other in rows[1:]:
             for one, column in zip(rows[0], other, strict=True):
                 self.assertLess(max(abs(a - b) for a, b in zip(one, column)), 1e-7)
+
+    def test_a_tower_that_is_dropped_stands_in_the_end(self):
+        """Bounces without end on what itself has come to rest, after it, and on what still bounces."""
+        for e in (0.1, 0.3, 0.6):
+            table, events = self.go(TOWER, "--duration", "5", "--set", f"e={e}", "--outputs", "state,reactions,modes", timeout=20)
+            for name, value in (("a", 0), ("b", 0.5), ("c", 1), ("a_dot", 0), ("b_dot", 0), ("c_dot", 0)):
+                self.assertAlmostEqual(table[name][-1], value, delta=1e-9)
+            for name, value in (("c0", 3 * G), ("c1", 2 * G), ("c2", G)):
+                self.assertAlmostEqual(table[f"reactions.{name}.multiplier"][-1], value, delta=1e-12)
+                self.assertEqual(table[f"modes.{name}"][-1], 1)
+            self.assertTrue(all(impulse > 0 for _, words, impulse in events if words.endswith("hits")))
+            for i in range(len(table["t"])):
+                a, b, c = (table[name][i] for name in "abc")
+                self.assertTrue(a > -1e-9 and b > a + 0.5 - 1e-9 and c > b + 0.5 - 1e-9)
 
     def test_samples_at_the_instant_of_an_impact_are_no_error(self):
         self.write("model.yaml", ROOM)  # speeds 1: hits walls at 0.5, which is a sample
