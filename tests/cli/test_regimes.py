@@ -79,6 +79,45 @@ class Regimes(Evaluate):
             for mode in regime:
                 self.assertIn(f"--regime {mode}", header)
 
+    def test_a_variant_may_be_a_regime_and_shares_the_code_of_an_equal_one(self):
+        outputs = "--outputs=rhs,initial_state,guards,impact_system"
+        self.write("high.yaml", BLOCK.replace("z: {initial: 0}", "z: {initial: 1}"))
+        self.assertEqual(self.run_it("high.yaml", "--regime", "ground", "--variant", "flying=", "--variant", "sliding=plane=closed,friction=forwards",
+                                     "--variant", "again=friction=forwards,plane=closed", outputs, "-o", "sets").stderr, "")
+        texts = {path.stem: path.read_text() for path in (self.folder / "sets").iterdir()}
+        self.assertEqual(set(texts), {"block_flying", "block_sliding", "block_again", "block_variants"})
+        self.assertIn("namespace block_again = ::gauss::block_sliding;", texts["block_again"])
+        for name in ("flying", "sliding"):
+            alone = self.ok("high.yaml", "-o", "-", "--regime", "ground", *(["--regime", "plane=closed", "--regime", "friction=forwards"] if name == "sliding" else []),
+                            "--outputs=rhs,guards" if name == "sliding" else outputs)
+            own = texts[f"block_{name}"].replace(f"BLOCK_{name.upper()}", "BLOCK").replace(f"block_{name}", "block")
+            code = [text[text.index("namespace gauss::block {"):] for text in (own, alone)]
+            self.assertEqual(*code, name)
+        table = texts["block_variants"]
+        self.assertIn('_guards[] = {"plane_opens", "friction_slip1", nullptr};', table)
+        self.assertIn('"sliding", "", "friction=forwards, plane=closed"', table)
+        # Outputs are asked for once for all: of a start in the air there is none on the plane, and impacts are told of the ground.
+        self.assertIn("initial_state(", texts["block_flying"])
+        self.assertIn("impact_system(", texts["block_flying"])
+        self.assertNotIn("initial_state(", texts["block_sliding"])
+        self.assertNotIn("impact_system(", texts["block_sliding"])
+
+    def test_mistakes_in_modes_of_variants_name_them(self):
+        for said, variant in (("--variant up: 'plane' is never 'close': it is one of open, closed", "up=plane=close"),
+                              ("--variant up: 'plane' is given twice", "up=plane=open,plane=closed"),
+                              ("--variant up: one value each", "up=plane=open=closed")):
+            self.assertIn(said, self.refused(2, "block.yaml", "--variant", variant))
+
+    def test_a_start_in_another_regime_is_none_of_this_one(self):
+        self.write("high.yaml", BLOCK.replace("z: {initial: 0}", "z: {initial: 1}"))
+        closed = ["--regime", "plane=closed", "--regime", "friction=free"]
+        header = self.ok("high.yaml", "-o", "-", *closed)
+        self.assertNotIn("initial_state(", header)
+        self.assertIn("// The motion starts in another regime, so there is no initial_state.", header)
+        self.assertIn("error[E070]", self.refused(1, "high.yaml", "-o", "-", *closed, "--outputs=rhs,initial_state"))
+        self.assertIn("initial_state(", self.ok("block.yaml", "-o", "-", *closed))
+        self.assertNotIn("another regime", self.ok("block.yaml", "-o", "-", *closed))
+
     def test_words_that_are_no_mode_are_refused_with_those_that_are(self):
         for regime, said in (("plane=close", "'plane' is never 'close': it is one of open, closed"),
                              ("friction=slides", "'friction' is never 'slides': it is one of sticks, forwards, backwards, free"),
