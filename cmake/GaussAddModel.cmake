@@ -1,11 +1,11 @@
 # gauss_add_model(TARGET <target> MODEL <file.yaml> | SCENE <scene.yaml>
-#                 [COUNTS <name>=<number> ...] [EFFECTS <effect> ... | VARIANTS <name>=<effect>,... ...] [OUTPUTS <function> ...] [SENSITIVITIES <parameter> ...] [FOLD] [NAMESPACE <name>]
+#                 [COUNTS <name>=<number> ...] [EFFECTS <effect> ... | VARIANTS <name>=<effect or mode>,... ...] [REGIME <name>=<mode> ... | REGIME ground ...] [OUTPUTS <function> ...] [SENSITIVITIES <parameter> ...] [FOLD] [NAMESPACE <name>]
 #                 [ROUTE paper] [STRATEGY <one>] [PARTS <number>] [SPLIT [<type> ...]] [AS_WRITTEN <rule> ...]
 #                 [CONTRACT off|on|fast] [ALLOW_FAST_MATH])
 #
 # Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
 # #include "<name>.hpp", where <name> is the name that the model file gives, or the scene. With VARIANTS there is a header for each,
-# <name>_<variant>.hpp, and <name>_variants.hpp with a table of them. The options are those of gauss-gen, but for the last two: what includes the header is compiled so that a product and a sum are rounded one by one (CONTRACT off), and -ffast-math is
+# <name>_<variant>.hpp, and <name>_variants.hpp with a table of them; a variant is a set of effects, a regime (resting=floor=closed), or both. The options are those of gauss-gen, but for the last two: what includes the header is compiled so that a product and a sum are rounded one by one (CONTRACT off), and -ffast-math is
 # refused by the header.
 
 # A count of the model: as it is given, else the number in its text; empty where that is a formula.
@@ -209,9 +209,9 @@ endfunction()
 
 function(gauss_add_model)
   cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD;ALLOW_FAST_MATH" "TARGET;MODEL;SCENE;NAMESPACE;ROUTE;STRATEGY;PARTS;CONTRACT"
-                        "COUNTS;EFFECTS;VARIANTS;OUTPUTS;SENSITIVITIES;SPLIT;AS_WRITTEN")
+                        "COUNTS;EFFECTS;VARIANTS;REGIME;OUTPUTS;SENSITIVITIES;SPLIT;AS_WRITTEN")
   if(ARG_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, COUNTS, OUTPUTS, "
+    message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, SCENE, COUNTS, EFFECTS, VARIANTS, REGIME, OUTPUTS, "
                         "SENSITIVITIES, FOLD, NAMESPACE, ROUTE, STRATEGY, PARTS, SPLIT, AS_WRITTEN, CONTRACT and ALLOW_FAST_MATH")
   endif()
   # SPLIT alone is for double.
@@ -277,10 +277,18 @@ function(gauss_add_model)
     _gauss_words(effects ${ARG_EFFECTS})
     list(APPEND options --effects=${effects})
   endif()
+  _gauss_words(modes ${ARG_REGIME})
+  string(REPLACE "," ";" modes "${modes}")
+  foreach(mode IN LISTS modes)
+    if(NOT mode MATCHES "^(ground|[^=]+=[^=]+)$")
+      message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): REGIME is modes of contacts, friction and links, as in floor=closed, or 'ground', and not '${mode}'")
+    endif()
+    list(APPEND options --regime ${mode})
+  endforeach()
   set(headers ${name})
   foreach(variant IN LISTS ARG_VARIANTS)
-    if(NOT variant MATCHES "^([A-Za-z][A-Za-z0-9_]*)=[^=]+$")
-      message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): VARIANTS are names with effects, as in far=gravity,air, and not '${variant}'")
+    if(NOT variant MATCHES "^([A-Za-z][A-Za-z0-9_]*)=")
+      message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): VARIANTS are names with effects or modes, as in far=gravity,air or resting=floor=closed, and not '${variant}'")
     endif()
     list(APPEND headers ${name}_${CMAKE_MATCH_1})
     list(APPEND options --variant ${variant})

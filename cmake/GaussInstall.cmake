@@ -11,7 +11,7 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # What the documents lead to lies beside them, as in the source.
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs models generated scenes DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES examples/turntable.cpp examples/long_swing.cpp examples/ensemble.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(FILES examples/turntable.cpp examples/long_swing.cpp examples/ensemble.cpp examples/ball_on_shaker.cpp examples/ball_on_shaker.yaml DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 install(DIRECTORY LICENSES DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT gauss-targets NAMESPACE gauss:: DESTINATION ${package_folder})

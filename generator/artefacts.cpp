@@ -1,5 +1,7 @@
 #include "artefacts.hpp"
 
+#include <algorithm>
+
 #include "artefact_builder.hpp"
 
 namespace gaussgen {
@@ -73,6 +75,19 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   return {};
 }
 
+namespace {
+
+/// What impulses act on is told of the regime in which none of it is a constraint or a force already.
+bool has_impacts(const model::Model& model) {
+  const auto is_open = [](const model::Contact& contact) { return contact.mode == model::Mode::open; };
+  const auto is_free = [](const model::DryFriction& friction) { return friction.mode == model::Mode::free; };
+  return model.is_ground && model.contacts.size() + model.frictions.size() > 0 &&
+         std::all_of(model.contacts.begin(), model.contacts.end(), is_open) &&
+         std::all_of(model.frictions.begin(), model.frictions.end(), is_free);
+}
+
+}  // namespace
+
 bool has_output(const std::string& name, Mechanics& mechanics) {
   const model::Model& model = mechanics.model;
   const bool has_constraints = mechanics.dynamics.l() > 0;
@@ -81,8 +96,7 @@ bool has_output(const std::string& name, Mechanics& mechanics) {
   if (name == "residuals") return has_constraints || has_quaternions(mechanics);
   if (name == "quantities") return !model.quantities.empty();
   if (name == "guards") return !model.guards.empty();
-  if (name == "impact_system")
-    return model.is_ground && mechanics.dynamics.n() > 0 && model.contacts.size() + model.frictions.size() > 0;
+  if (name == "impact_system") return mechanics.dynamics.n() > 0 && has_impacts(model);
   // Accelerations that are given have reactions of their own, and so other forces.
   if (name == "inverse_dynamics" && model::has_reactions_in_forces(model)) return false;
   if (name == "sensitivities") return !model.sensitivities.empty() && !mechanics.options.fold;

@@ -32,6 +32,17 @@ constexpr int k_shown_digits = 9;
 /// Accelerations hold the second derivatives of positions.
 constexpr int k_most_derivatives = 2;
 
+/// False: it has no value.
+bool bind_start(Mechanics& mechanics, ModelValues& values, std::vector<InitialValue>& state) {
+  state = initial_values(mechanics, values);
+  const bool has_state = bind_initial_values(mechanics, state, values);
+  if (has_state && violations(mechanics, values).empty()) return true;
+  find_start_otherwise(mechanics, support::Rational(0), k_digits);
+  if (!mechanics.known_start) return has_state;
+  state = initial_values(mechanics, values);
+  return bind_initial_values(mechanics, state, values);
+}
+
 class InitialCheck {
  public:
   InitialCheck(Mechanics& mechanics, const StartOptions& options, support::Diagnostics& diagnostics)
@@ -42,15 +53,8 @@ class InitialCheck {
         values_(mechanics, support::Rational(0), k_digits) {}
 
   void run() {
-    std::vector<InitialValue> state = initial_values(mechanics_, values_);
-    bool has_state = bind_initial_values(mechanics_, state, values_);
-    if (!has_state || !violations(mechanics_, values_).empty()) {
-      find_start_otherwise(mechanics_, support::Rational(0), k_digits);
-      if (mechanics_.known_start) {
-        state = initial_values(mechanics_, values_);
-        has_state = bind_initial_values(mechanics_, state, values_);
-      }
-    }
+    std::vector<InitialValue> state;
+    const bool has_state = bind_start(mechanics_, values_, state);
     const std::vector<UndefinedPart> undefined = undefined_parts(mechanics_, values_);
     for (const UndefinedPart& part : undefined) report_undefined(part);
     const bool has_open_rates = undefined.empty() && report_undetermined_rates();
@@ -249,6 +253,7 @@ class InitialCheck {
   }
 
   void report_violation(const Violation& violation) {
+    if (options_.is_elsewhere) return;
     if (mechanics_.vanishing.count(violation.index) > 0) return report_violation_of_vanishing(violation);
     const support::Span span = model_.constraints[violation.index].span;
     if (const model::DryFriction* const friction = sticking(model_.constraints[violation.index]))
@@ -451,6 +456,12 @@ class InitialCheck {
 
 void check_initial_state(Mechanics& mechanics, const StartOptions& options, support::Diagnostics& diagnostics) {
   InitialCheck(mechanics, options, diagnostics).run();
+}
+
+bool is_start_of(Mechanics& mechanics) {
+  ModelValues values(mechanics, support::Rational(0), k_digits);
+  std::vector<InitialValue> state;
+  return !bind_start(mechanics, values, state) || violations(mechanics, values).empty();
 }
 
 std::vector<std::string> assembled_values(Mechanics& mechanics, const StatedStart& stated,

@@ -20,7 +20,7 @@ struct Absence {
 };
 
 /// As `build_artefact` decides.
-Absence absence_of(const std::string& output) {
+Absence absence_of(const std::string& output, const model::Model& model) {
   if (output == "reactions" || output == "reaction_forces") {
     return {"it has no constraint and no held coordinate",
             "what joints transmit is 'joint_reactions'; else remove it from the outputs"};
@@ -54,6 +54,19 @@ Absence absence_of(const std::string& output) {
         "of any rank",
         "remove it from the outputs; 'gauss-gen --check' says what the constraints leave"};
   }
+  if (output == "guards")
+    return {"it has no contact, dry friction or link that breaks",
+            "nothing ends its regime: remove it from the outputs"};
+  if (output == "impact_system" && model.contacts.size() + model.frictions.size() == 0)
+    return {"it has no contact and no dry friction", "nothing hits anything: remove it from the outputs"};
+  if (output == "impact_system") {
+    return {"it is of the regime in which all contacts are open and all friction is free",
+            "--regime ground is that one; else remove it from the outputs"};
+  }
+  if (output == "inverse_dynamics" && model::has_reactions_in_forces(model)) {
+    return {"a force in it depends on reactions, which would be others of accelerations that are given",
+            "write the force without them, or remove it from the outputs"};
+  }
   return {"no coordinate is free, so it has no state", "remove it from the outputs"};
 }
 
@@ -75,8 +88,8 @@ std::vector<model::Name> asked_for(const model::Model& model, const PipelineOpti
   return names;
 }
 
-void report_absent(const model::Name& name, support::Diagnostics& diagnostics) {
-  const Absence absence = absence_of(name.text);
+void report_absent(const model::Name& name, const model::Model& model, support::Diagnostics& diagnostics) {
+  const Absence absence = absence_of(name.text, model);
   diagnostics.warning(
       support::code::k_empty_output, name.span,
       fmt::format("the output '{}' is left out, as this model has nothing for it: {}", name.text, absence.why),
@@ -103,7 +116,7 @@ void check_each(Mechanics& mechanics, const PipelineOptions& options, support::D
   for (const model::Name& name : asked_for(mechanics.model, options)) {
     if (!seen.insert(name.text).second) continue;
     if (!has_output(name.text)) {
-      report_absent(name, diagnostics);
+      report_absent(name, mechanics.model, diagnostics);
     } else if (name.text == "sensitivities") {
       check_sensitivities(name, mechanics, diagnostics);
     }

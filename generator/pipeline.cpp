@@ -77,13 +77,24 @@ class Stages {
   std::vector<StageTime> times_;
 };
 
+constexpr const char* k_start = "initial_state";
+
 bool asks_for(const char* output, const Mechanics& mechanics, const PipelineOptions& options) {
   const std::vector<std::string> wanted = wanted_outputs(mechanics.model, options);
   return std::find(wanted.begin(), wanted.end(), output) != wanted.end();
 }
 
 bool emits_initial_state(const Mechanics& mechanics, const PipelineOptions& options) {
-  return mechanics.dynamics.n() > 0 && asks_for("initial_state", mechanics, options);
+  return mechanics.dynamics.n() > 0 && asks_for(k_start, mechanics, options);
+}
+
+/// Modes that are asked for may be those of a regime that a motion comes to, and does not start in. Whoever names `initial_state` wants it of this one.
+bool starts_elsewhere(Mechanics& mechanics, const PipelineOptions& options) {
+  const auto& named = options.outputs;
+  if (options.choices.regime.empty() || options.assemble ||
+      std::find(named.begin(), named.end(), k_start) != named.end())
+    return false;
+  return !is_start_of(mechanics);
 }
 
 }  // namespace
@@ -187,7 +198,10 @@ std::optional<PipelineResult> compile(support::Source& source, PipelineOptions o
   if (stages.show("strategy", [&] { return dump_strategy(mechanics); })) return up_to_here();
 
   // Before all else that takes long.
-  check_initial_state(mechanics, {emits_initial_state(mechanics, options), options.assemble, &source}, diagnostics);
+  options.leaves_start_out = starts_elsewhere(mechanics, options);
+  check_initial_state(mechanics,
+                      {emits_initial_state(mechanics, options), options.leaves_start_out, options.assemble, &source},
+                      diagnostics);
   check_points(mechanics, diagnostics);
   if (!diagnostics.has_errors()) check_chart(mechanics, diagnostics);
   if (asks_for("taylor", mechanics, options) && has_taylor(mechanics)) check_series(mechanics, diagnostics);
@@ -204,6 +218,7 @@ std::optional<PipelineResult> compile(support::Source& source, PipelineOptions o
   }
 
   for (const std::string& output : options.where_possible) {
+    if (options.leaves_start_out && output == k_start) continue;
     if (can_have(output, mechanics)) options.outputs.push_back(output);
   }
   emit::Unit unit = build_unit(mechanics, source, options);

@@ -40,8 +40,9 @@ struct PipelineOptions {
   int part_operations = emit::k_part_operations;  ///< of a function above twice as many
   std::vector<std::string> compiled_for;          ///< scalar types of a source file of its own; empty: none
   std::size_t most_nodes = ir::k_most_nodes;
-  bool only_check = false;  ///< what is wrong with the model is all that is wanted: no output is formed
-  std::string last_stage;   ///< after which nothing is asked for; empty: the last one
+  bool only_check = false;        ///< what is wrong with the model is all that is wanted: no output is formed
+  bool leaves_start_out = false;  ///< as was found: the motion starts in another regime than the one of `choices`
+  std::string last_stage;         ///< after which nothing is asked for; empty: the last one
 };
 
 /// One stage as `--timings` shows it. Nodes are those of the graph: what one stage has made, the next one finds there.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "generic_point.hpp"
+#include "model/expressions.hpp"
 #include "support/error_codes.hpp"
 #include "support/suggest.hpp"
 #include "value_check.hpp"
@@ -41,7 +42,9 @@ class StructureCheck {
     }
     if (!model_.dependent.empty()) check_choice();
     if (mechanics_.has_unsolved_reactions) report_reactions();
-    for (const std::size_t force : mechanics_.kinematics.idle_forces) report_idle(model_.forces[force]);
+    for (const std::size_t force : mechanics_.kinematics.idle_forces) {
+      if (!depends_on_absent_reaction(model_.forces[force])) report_idle(model_.forces[force]);
+    }
     for (const std::size_t force : mechanics_.kinematics.inner_forces) report_inner(model_.forces[force]);
     for (const model::Constraint& constraint : model_.constraints) check_contact(constraint);
   }
@@ -82,6 +85,23 @@ class StructureCheck {
   void check_gradient(std::size_t mu) {
     if (generic_rank(at_generic_point_({mechanics_.dynamics.b[mu]})) > 0) return;
     report_no_gradient(model_.constraints[mu], diagnostics_);
+  }
+
+  bool has_absent_reaction(const model::Ast& ast) const {
+    if (ast.kind == model::AstKind::symbol) {
+      const model::SymbolRef symbol = model_.resolve(ast.name);
+      return symbol.kind == model::SymbolKind::reaction && model_.reactions[symbol.index].is_absent;
+    }
+    return std::any_of(ast.children.begin(), ast.children.end(),
+                       [&](const model::Ast& child) { return has_absent_reaction(child); });
+  }
+
+  /// It is felt in another regime: that of smooth friction, where what presses is open in this one.
+  bool depends_on_absent_reaction(const model::Force& force) const {
+    bool is_found = false;
+    model::for_each_expression_of(force,
+                                  [&](const model::Ast& ast) { is_found = is_found || has_absent_reaction(ast); });
+    return is_found;
   }
 
   bool is_on_space(const model::PointForce& law) const {

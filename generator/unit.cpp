@@ -146,6 +146,8 @@ class UnitBuilder {
     provenance.command = "gauss-gen " + what_is_chosen();
     if (options_.choices.is_ground) provenance.command += " --regime ground";
     for (const auto& [name, mode] : options_.choices.regime) provenance.command += " --regime " + name + "=" + mode;
+    if (options_.leaves_start_out)
+      provenance.notes.push_back("The motion starts in another regime, so there is no initial_state.");
     if (!options_.outputs.empty()) {
       std::string list;
       for (const OutputKind& kind : output_kinds()) {
@@ -185,10 +187,6 @@ class UnitBuilder {
   emit::Unit unit_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Parameters are named for the sake of it.
 std::vector<std::string> with_sensitivities(std::vector<std::string> names, bool are_named) {
   const std::string output = "sensitivities";
@@ -196,9 +194,7 @@ std::vector<std::string> with_sensitivities(std::vector<std::string> names, bool
   return names;
 }
 
-}  // namespace
-
-std::vector<std::string> wanted_outputs(const model::Model& model, const PipelineOptions& options) {
+std::vector<std::string> asked_for(const model::Model& model, const PipelineOptions& options) {
   if (!options.outputs.empty()) return with_sensitivities(options.outputs, !options.sensitivities.empty());
   std::vector<std::string> names;
   for (const model::Name& name : model.outputs) names.push_back(name.text);
@@ -207,6 +203,14 @@ std::vector<std::string> wanted_outputs(const model::Model& model, const Pipelin
     if (kind.is_usual) names.push_back(kind.name);
   }
   return with_sensitivities(names, !model.sensitivities.empty());
+}
+
+}  // namespace
+
+std::vector<std::string> wanted_outputs(const model::Model& model, const PipelineOptions& options) {
+  std::vector<std::string> names = asked_for(model, options);
+  if (options.leaves_start_out) names.erase(std::remove(names.begin(), names.end(), "initial_state"), names.end());
+  return names;
 }
 
 emit::Unit build_unit(Mechanics& mechanics, const support::Source& source, const PipelineOptions& options) {

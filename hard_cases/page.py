@@ -19,7 +19,7 @@ POINTS_IN_CHART = 12
 HEAD = """# Hard cases
 
 Each row is a figure of a case that breaks simulators: what a naive form of it does, what ours does, and the bar. `./run hard-cases` runs them all, writes this page and
-`build/release/hard-cases.json`, and ends with an error where a figure fails. A figure holds if ours is at most the bar and the naive form, where there is one, misses it: a case in which nothing is hard shows nothing. Some figures of a case have no naive form of their own (–). H16 to H19, friction and impacts, come with scenes.
+`build/release/hard-cases.json`, and ends with an error where a figure fails. A figure holds if ours is at most the bar and the naive form, where there is one, misses it: a case in which nothing is hard shows nothing. Some figures of a case have no naive form of their own (–). H16 to H19, friction and impacts, are runs of `gauss-sim`, with compiling in their times.
 "breaks down" is NaN, overflow, or a step that cannot be taken. Times are of computing, of all that a figure measures, so that both forms compare; what runs for several figures is
 shown with each. `./run hard-cases --long` takes whole durations (10^6 s), some minutes. The cases are in `hard_cases/`, one file each,
 with their models in `hard_cases/models/`; each short one is a test (`./run test -R hard_cases`).

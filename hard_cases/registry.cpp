@@ -12,7 +12,8 @@ const std::vector<Case>& cases() {
       {"H05", "Gradients of constraints that are nearly parallel", near_parallel},
       {"H06", "A mass matrix without inverse: an angle, a rod and a hub without inertia", singular_mass},
       {"H07", "A chain with a heavy or a light end", mass_ratio},
-      {"H08", "Loops through their change points: a parallelogram that lies flat, a slider-crank with equal bars", flat_parallelogram},
+      {"H08", "Loops through their change points: a parallelogram that lies flat, a slider-crank with equal bars",
+       flat_parallelogram},
       {"H09", "Loops in space with more equations than say something: Bennett, Bricard, Sarrus", over_constrained},
       {"H10", "A fast spin", fast_spin},
       {"H11", "An angle grows without end", angle_growth},
@@ -21,6 +22,12 @@ const std::vector<Case>& cases() {
       {"H14", "Time adds up", accumulated_time},
 #ifdef GAUSS_HAS_SUNDIALS
       {"H15", "Stiff: fast rates beside a slow motion", stiff},
+#endif
+#ifdef GAUSS_HAS_SIM
+      {"H16", "Friction that holds: a block on an incline", stick},
+      {"H17", "Friction that leaves no motion: Painleve's rod", painleve},
+      {"H18", "Infinitely many impacts in a finite time: a ball that bounces to rest", zeno},
+      {"H19", "Impacts at one instant: a row of balls", cradle},
 #endif
       {"H20", "A pivot that shakes by a law in time", moving_pivot},
       {"H21", "Constraints of velocities that are not linear: a turntable, Appell and Hamel's particle", affine},

@@ -22,7 +22,11 @@ std::vector<Figure> long_run(const Scope& scope);
 std::vector<Figure> constraint_drift(const Scope& scope);
 std::vector<Figure> accumulated_time(const Scope& scope);
 std::vector<Figure> stiff(const Scope& scope);  ///< only with SUNDIALS
-std::vector<Figure> shaken_bar();               ///< part of the next
+std::vector<Figure> stick(const Scope& scope);  ///< these four only with gauss-sim
+std::vector<Figure> painleve(const Scope& scope);
+std::vector<Figure> zeno(const Scope& scope);
+std::vector<Figure> cradle(const Scope& scope);
+std::vector<Figure> shaken_bar();  ///< part of the next
 std::vector<Figure> moving_pivot(const Scope& scope);
 std::vector<Figure> affine(const Scope& scope);
 std::vector<Figure> cancellation(const Scope& scope);

@@ -163,6 +163,42 @@ def lane_rows(problems):
     return table(["problem", "number", "lanes", "threads", "trajectories per s", "beside one after the other"], rows) if rows else ""
 
 
+def percent(part):
+    return f"{100 * part:.2g} %" if part < 0.995 else "100 %"
+
+
+def effect_rows(problem):
+    """All effects, all but one, and none: what they cost and change."""
+    effects = problem["effects"]
+    sets = [{**effects["all"], "what": "all"}, *effects["each"], {**effects["none"], "what": "none"}]
+    rows = []
+    for one in sets:
+        if "operations" not in one:
+            rows.append([one["what"], "–", "–", "–", "–", one["why"]])
+            continue
+        change = "" if one["what"] == "all" else f"{short(one['change'])} of `{one['output']}`" if "output" in one else "nothing"
+        rows.append([one["what"], one["operations"], f"{one['ns']:.3g} ns" if "ns" in one else "–", time(one["run_seconds"]),
+                     percent(one["run_seconds"] / effects["all"]["run_seconds"]), change])
+    return table([problem["name"], "operations of rates", "a call", "a run", "of the time", "changes the motion by"], rows)
+
+
+def effects_of(problems, folder):
+    """Of each scene that has some."""
+    parts = []
+    for problem in problems:
+        if "all" not in problem.get("effects", {}):
+            continue
+        effects = problem["effects"]
+        parts += [f"{problem['name']}: {effects['duration']:g} s by `{effects['method']}`, good to {short(effects['good_to'])}." if "good_to" in effects else "",
+                  effect_rows(problem), picture(f"{problem['name']}-effect-ladder", f"{problem['name']}: model error removed against time paid", folder)]
+    if not parts:
+        return []
+    return ["## What effects cost and change",
+            "The scene with all its effects, and without each of them (with those that need it); a change is the largest difference of an output over its range. "
+            "The ladder leaves out one effect after the other, each time the one whose absence changes the motion least; [effects.md](effects.md#which-ones-a-scene-needs) has the command for one scene.",
+            *parts]
+
+
 def reference_rows(problems):
     return table(["problem", "reference", "good to"], [[p["name"], "; ".join(p["reference"]["methods"]), short(p["reference"]["agreement"])]
                                                        for p in problems])
@@ -244,6 +280,7 @@ def page(study, folder):
         "## Many at once",
         "Lanes are as many as the compiler's options above allow, of `-march=native`; [performance.md](performance.md) has those of AVX2.",
         lane_rows(problems),
+        *effects_of(study["problems"], folder),
         "## Generation and compilation",
         build_rows(problems),
         "## References",

@@ -18,16 +18,26 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-NameAndText at_equals(const char* option, const std::string& assignment) {
+namespace {
+
+/// At the first one: what is behind it may have others.
+NameAndText at_first_equals(const char* option, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos)
     throw UsageError(fmt::format("{}: expected name=value, not '{}'", option, assignment));
   const std::string name = trimmed(assignment.substr(0, equals));
   if (name.empty()) throw UsageError(fmt::format("{}: a name is missing before '=' in '{}'", option, assignment));
-  if (assignment.find('=', equals + 1) != std::string::npos)
+  return {name, assignment.substr(equals + 1)};
+}
+
+}  // namespace
+
+NameAndText at_equals(const char* option, const std::string& assignment) {
+  NameAndText found = at_first_equals(option, assignment);
+  if (found.text.find('=') != std::string::npos)
     throw UsageError(
         fmt::format("{}: one value each, as in {} a=1 {} b=2, not '{}'", option, option, option, assignment));
-  return {name, assignment.substr(equals + 1)};
+  return found;
 }
 
 void refuse_second_of(const char* option, const std::string& name, const std::string& key,
@@ -63,16 +73,17 @@ model::GivenRegime parse_regime(const std::vector<std::string>& assignments) {
   return regime;
 }
 
-std::vector<std::pair<std::string, model::GivenEffects>> parse_variants(const std::vector<std::string>& assignments) {
-  std::vector<std::pair<std::string, model::GivenEffects>> variants;
+std::vector<std::pair<std::string, std::vector<std::string>>> parse_variants(
+    const std::vector<std::string>& assignments) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> variants;
   std::set<std::string> seen;
   for (const std::string& text : assignments) {
-    const NameAndText given = at_equals("--variant", text);
+    const NameAndText given = at_first_equals("--variant", text);
     refuse_second_of("--variant", given.name, given.name, seen);
     const auto is_part_of_names = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (!std::all_of(given.name.begin(), given.name.end(), is_part_of_names))
       throw UsageError(fmt::format("--variant {}: it is a part of names in C++: letters, digits and '_'", given.name));
-    model::GivenEffects words;
+    std::vector<std::string> words;
     std::string word;
     for (const char c : given.text + ",") {
       if (c != ',') {
@@ -85,6 +96,24 @@ std::vector<std::pair<std::string, model::GivenEffects>> parse_variants(const st
     variants.emplace_back(given.name, std::move(words));
   }
   return variants;
+}
+
+model::Choices choices_of_variant(const std::string& variant, const std::vector<std::string>& words,
+                                  const model::Choices& common) {
+  const std::string option = "--variant " + variant;
+  model::Choices choices = common;
+  choices.effects.clear();
+  std::set<std::string> seen;
+  for (const std::string& word : words) {
+    if (word.find('=') == std::string::npos) {
+      choices.effects.push_back(word);
+      continue;
+    }
+    const NameAndText given = at_equals(option.c_str(), word);
+    refuse_second_of(option.c_str(), given.name, given.name, seen);
+    choices.regime[given.name] = trimmed(given.text);
+  }
+  return choices;
 }
 
 std::string unknown_count(const model::UnknownCount& unknown) {

@@ -29,8 +29,13 @@ model::GivenCounts parse_counts(const std::vector<std::string>& assignments);
 /// Assignments such as floor=closed. Throws UsageError.
 model::GivenRegime parse_regime(const std::vector<std::string>& assignments);
 
-/// Assignments such as far=gravity,air. Throws UsageError.
-std::vector<std::pair<std::string, model::GivenEffects>> parse_variants(const std::vector<std::string>& assignments);
+/// Assignments such as far=gravity,air or resting=floor=closed: words of effects and of modes. Throws UsageError.
+std::vector<std::pair<std::string, std::vector<std::string>>> parse_variants(
+    const std::vector<std::string>& assignments);
+
+/// What a variant chooses, beside `common`. Throws UsageError.
+model::Choices choices_of_variant(const std::string& variant, const std::vector<std::string>& words,
+                                  const model::Choices& common);
 
 /// Why the model has no such count, for the user.
 std::string unknown_count(const model::UnknownCount& unknown);

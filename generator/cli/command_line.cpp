@@ -37,8 +37,10 @@ class Adder {
     one_each(
         app_.add_option_function<std::vector<std::string>>(
             "--variant", take_variants,
-            wrapped("a set of effects by a name, such as far=gravity,air; may be repeated for others: a header for "
-                    "each, and <name>_variants.hpp with a table from which a program chooses while it runs")),
+            wrapped(
+                "a set of effects by a name, such as far=gravity,air, or a regime, such as resting=floor=closed, or "
+                "both; may be repeated for others: a header for each, and <name>_variants.hpp with a table from "
+                "which a program chooses while it runs")),
         "NAME=LIST");
     add_path("-o,--output", options_.output, "folder for <name>.hpp, or - for standard output", "DIR",
              Argument::folder);

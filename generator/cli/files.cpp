@@ -10,13 +10,20 @@ namespace gaussgen::cli {
 
 void fail_on(const std::string& path, const std::string& what) { throw FileError(path + ": " + what); }
 
+namespace {
+
+/// Kept, since it can be read once, and commands that take a model in several ways read it for each.
+const std::string& standard_input() {
+  static const std::optional<std::string> text = support::read_stream(std::cin);
+  // The stream takes an error, as of a closed one, for the end.
+  if (!text || std::ferror(stdin) != 0) fail_on("<stdin>", "cannot be read");
+  return *text;
+}
+
+}  // namespace
+
 support::Source read_source(const std::string& path) {
-  if (path == "-") {
-    std::optional<std::string> text = support::read_stream(std::cin);
-    // The stream takes an error, as of a closed one, for the end.
-    if (!text || std::ferror(stdin) != 0) fail_on("<stdin>", "cannot be read");
-    return {"<stdin>", *std::move(text), support::read_regular_file};
-  }
+  if (path == "-") return {"<stdin>", standard_input(), support::read_regular_file};
   std::string why;
   std::optional<std::string> text = support::read_file(path, why);
   if (!text) fail_on(path, why);

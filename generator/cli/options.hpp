@@ -24,7 +24,8 @@ struct Options {
   // generate
   std::string output;              ///< folder, "-" for standard output; empty: the working folder
   std::vector<std::string> split;  ///< types of a source file of its own
-  std::vector<std::pair<std::string, model::GivenEffects>> variants;  ///< sets of effects by name, a header each
+  /// By name, a header each: words of effects, and modes of a regime as floor=closed.
+  std::vector<std::pair<std::string, std::vector<std::string>>> variants;
   std::string depfile;
   std::string depfile_target;      ///< empty: the header
   std::vector<std::string> dumps;  ///< stages

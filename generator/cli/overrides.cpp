@@ -128,7 +128,7 @@ class Override {
     for (const model::Coordinate& coordinate : model_.coordinates) names.push_back(coordinate.name.text + "_dot");
     const auto& absent = model_.words_of_absent_effects;
     if (const auto found = absent.find(name_); found != absent.end())
-      return fmt::format("--set: '{}' is of the effect '{}', which does not act", name_, found->second);
+      return fmt::format("--set: '{}' is of the effect '{}', which does not act", name_, found->second.front());
     const std::string near = support::closest(name_, names);
     return fmt::format("--set: the model has no '{}'{}", name_, near.empty() ? "" : ", did you mean '" + near + "'?");
   }

@@ -45,6 +45,7 @@ Measure wanted_at(const Slot& slot, const Model& model) {
   const Measure owner = slot.owner == nullptr ? Measure{} : measure_of(model, slot.owner->text);
   switch (slot.quantity) {
     case Quantity::any: return {};
+    case Quantity::number: return in("1", {});
     case Quantity::stated: {
       const std::optional<Dimension>& stated = slot.stated->dimension;
       return stated ? in(slot.stated->unit.c_str(), *stated) : Measure{};
@@ -71,6 +72,10 @@ Measure wanted_at(const Slot& slot, const Model& model) {
     case Quantity::damping_on_owner: return over(force_on(owner, false), rate_of(owner));
     case Quantity::force_along: return in("N", {{1, 1, -2}});
     case Quantity::speed_along: return {};
+    case Quantity::multiplier: {
+      const std::optional<Dimension>& dimension = slot.row->multiplier_dimension;
+      return dimension ? in(slot.row->multiplier_unit.c_str(), *dimension) : Measure{};
+    }
   }
   return {};
 }
@@ -121,12 +126,24 @@ class DimensionCheck {
   void complete_multipliers() {
     for (Constraint& constraint : reading_.model.constraints) {
       const Measure unit = std::visit([&](const auto& law) { return multiplier_of(law); }, constraint.law);
-      if (unit.kind == Kind::known) constraint.multiplier_unit = unit_of(unit);
+      if (unit.kind == Kind::known) {
+        constraint.multiplier_unit = unit_of(unit);
+        constraint.multiplier_dimension = unit.dimension;
+      }
       note_reaction(constraint.name.text, unit);
     }
     for (const Coordinate& coordinate : reading_.model.coordinates) {
       if (coordinate.held_at)
         note_reaction(coordinate.name.text, force_on(measure_of(reading_.model, coordinate.name.text), false));
+    }
+  }
+
+  void complete_impulses() {
+    for (Contact& contact : reading_.model.contacts) {
+      const Measure gap = inferred(contact.gap);
+      if (gap.kind != Kind::known) continue;
+      const Dimension impulse = energy() / (gap.dimension * per_second());
+      contact.impulse_unit = agree(gap.dimension, length()) ? "N*s" : text(impulse);
     }
   }
 
@@ -250,6 +267,7 @@ void check_dimensions(Reading& reading) {
   dimensions.complete_parameters();
   dimensions.complete_speeds();
   dimensions.complete_multipliers();
+  dimensions.complete_impulses();
   dimensions.complete_quantities();
   for_each_slot(reading.model, [&](const Ast& ast, const Slot& slot) { dimensions.check(ast, slot); });
   // Next to errors this is of no interest.

@@ -247,6 +247,7 @@ class DomainCheck {
     for (const Coordinate& coordinate : reading_.model.coordinates) {
       if (coordinate.held_at) known.push_back(coordinate.name.text + component);
     }
+    for (const Contact& contact : reading_.model.contacts) known.push_back(contact.name.text + component);
     for (const Constraint& row : reading_.model.constraints) {
       if (name_in_file(row) == owner.text && row.name.text != owner.text)
         return fmt::format("each direction has its own, as {}", row.name.text + component);
@@ -267,6 +268,8 @@ class DomainCheck {
 void check_domains(Reading& reading) {
   DomainCheck domains(reading);
   for_each_expression(reading.model, [&](const Ast& ast, const Place& place) {
+    // Made of what stands elsewhere, and is looked at there.
+    if (place.reactions == Reactions::guards) return;
     const std::size_t before = reading.diagnostics.all().size();
     if (!domains.refuse_unit(ast, place)) domains.check(ast, place);
     if (reading.diagnostics.all().size() > before) reading.faulty_values.insert(ast.span.begin);

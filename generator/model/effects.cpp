@@ -222,6 +222,11 @@ class Merging {
   std::map<std::string, std::map<std::string, std::size_t>> known_;  ///< index of each entry, by section
 };
 
+void note_word(const std::string& word, const Entry& effect, Model& model) {
+  std::vector<std::string>& effects = model.words_of_absent_effects[word];
+  if (effects.empty() || effects.back() != effect.key.text) effects.push_back(effect.key.text);
+}
+
 /// Of an effect that does not act: what is missing elsewhere may stand in it, and a slip in it is one all the same.
 void leave_out(const Entry& effect, Reading& reading) {
   if (effect.value.kind != NodeKind::map) return;
@@ -232,10 +237,9 @@ void leave_out(const Entry& effect, Reading& reading) {
       left.names.add_owner(entry.key.text);
       if (!declares(section.key.text)) continue;
       reading.left_out.push_back(std::move(left));
-      reading.model.words_of_absent_effects.emplace(entry.key.text, effect.key.text);
+      note_word(entry.key.text, effect, reading.model);
     }
-    for (const std::string& word : words_in(section.value))
-      reading.model.words_of_absent_effects.emplace(word, effect.key.text);
+    for (const std::string& word : words_in(section.value)) note_word(word, effect, reading.model);
   }
   for (const format::Key& key : format::effect().keys) {
     const Node* const section = is_section(key.name) ? spec::find(effect.value, key.name) : nullptr;

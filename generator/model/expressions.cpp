@@ -97,7 +97,8 @@ constexpr Place k_limit =
     with_reactions(Reactions::linear, with_places({"the limit of friction", "", "", true, true, true, true, true}));
 constexpr Place k_gap = with_places(differentiated(
     2, {"a gap", "it is about places and time alone", "use coordinates, places, parameters and t", true, true, true}));
-constexpr Place k_restitution{"a restitution", "it is the same at all impacts", "use numbers and parameters"};
+constexpr Place k_restitution =
+    in(Quantity::number, {"a restitution", "it is the same at all impacts", "use numbers and parameters"});
 constexpr Place k_strength{"the reaction at which a constraint breaks", "it stays constant during a motion",
                            "use numbers and parameters"};
 constexpr Place k_guard =
@@ -181,7 +182,7 @@ void visit_constraint(const Constraint& constraint, const Visit& visit) {
   }
   if (const auto* law = std::get_if<SlipLaw>(&constraint.law)) visit_slip(*law, visit);
   if (constraint.point) visit_all(*constraint.point, k_point, visit);
-  if (constraint.breaks_at) visit(*constraint.breaks_at, k_strength);
+  if (constraint.breaks_at) visit(*constraint.breaks_at, {k_strength, constraint});
 }
 
 void visit_friction(const Friction& friction, const Visit& visit) {
@@ -250,6 +251,14 @@ const Place& inside_dot() { return k_dot; }
 
 void for_each_expression(const Model& model, const std::function<void(const Ast&, const Place&)>& visit) {
   for_each_slot(model, [&](const Ast& ast, const Slot& slot) { visit(ast, slot.place); });
+}
+
+void for_each_expression_of(const Force& force, const std::function<void(const Ast&)>& visit) {
+  visit_force(force, [&](const Ast& ast, const Slot&) { visit(ast); });
+}
+
+void for_each_expression_of_broken(const Model& model, const std::function<void(const Ast&)>& visit) {
+  for (const Constraint& row : model.broken) visit_constraint(row, [&](const Ast& ast, const Slot&) { visit(ast); });
 }
 
 void for_each_slot(const Model& model, const Visit& visit) {

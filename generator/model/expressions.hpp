@@ -10,6 +10,7 @@ namespace gaussgen::model {
 /// What an expression has to be measured in.
 enum class Quantity {
   any,
+  number,
   stated,  ///< the unit that stands beside the value
   angle,
   length,
@@ -28,6 +29,7 @@ enum class Quantity {
   damping_on_owner,
   force_along,  ///< power over that of the velocity beside it
   speed_along,  ///< as the velocity beside it
+  multiplier,   ///< of the constraint beside it
 };
 
 /// Whether reactions may stand at a place.
@@ -66,11 +68,14 @@ struct Slot {
       : place(of), quantity(Quantity::stated), owner(&beside.name), stated(&beside) {}
   Slot(const Place& of, Quantity wanted, const Ast* velocity) : place(of), quantity(wanted), along(velocity) {}
 
+  Slot(const Place& of, const Constraint& beside) : place(of), quantity(Quantity::multiplier), row(&beside) {}
+
   const Place& place;
   Quantity quantity;
   const Name* owner = nullptr;            ///< the declared name that the value belongs to
   const NamedQuantity* stated = nullptr;  ///< of Quantity::stated
   const Ast* along = nullptr;             ///< of Quantity::force_along, speed_along; null: m/s
+  const Constraint* row = nullptr;        ///< of Quantity::multiplier
 };
 
 /// The value of a parameter.
@@ -87,5 +92,11 @@ void for_each_slot(const Model& model, const std::function<void(const Ast&, cons
 
 /// The same for who asks nothing about units.
 void for_each_expression(const Model& model, const std::function<void(const Ast&, const Place&)>& visit);
+
+/// Of one force.
+void for_each_expression_of(const Force& force, const std::function<void(const Ast&)>& visit);
+
+/// Of rows that are broken in the regime that was read, and no part of the model.
+void for_each_expression_of_broken(const Model& model, const std::function<void(const Ast&)>& visit);
 
 }  // namespace gaussgen::model

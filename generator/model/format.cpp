@@ -141,7 +141,7 @@ const std::vector<std::string>& outputs() {
   static const Names k_outputs{"rhs",           "reactions",  "reaction_forces", "joint_reactions",  "energy",
                                "compulsion",    "residuals",  "mobility",        "mass_matrix",      "project",
                                "initial_state", "quantities", "poses",           "inverse_dynamics", "jacobian",
-                               "sensitivities", "taylor"};
+                               "sensitivities", "taylor",     "guards"};
   return k_outputs;
 }
 

@@ -196,6 +196,7 @@ struct Constraint {
   std::string multiplier_unit;  ///< power per φ, energy per f; empty when a name in it has no unit
   bool may_vanish = false;      ///< one of several directions; left out where it says nothing, as the third in a plane
   std::optional<Ast> breaks_at = std::nullopt;  ///< size of its reaction above which it is no more; over parameters
+  std::optional<Dimension> multiplier_dimension = std::nullopt;  ///< of `multiplier_unit`
 };
 
 /// The same acceleration on every mass: F = m * field at the mass centre.
@@ -270,6 +271,7 @@ struct Contact {
   Ast gap;                         ///< m or rad; over coordinates, places, parameters, t
   std::optional<Ast> restitution;  ///< over parameters; 0 if left out
   Mode mode = Mode::open;
+  std::string impulse_unit = {};  ///< energy per gap, times s; empty where a name in it has no unit
 };
 
 /// Friction that sticks: a constraint as long as less than its static limit holds it. Forwards and backwards are the signs of its only
@@ -280,7 +282,7 @@ struct DryFriction {
   Friction law;
   std::optional<Ast> static_limit;  ///< as `law.limit`, where it is more
   Mode mode = Mode::sticks;
-  bool is_idle = false;    ///< its limit is a part of the reaction of a contact that is open
+  bool is_idle = false;         ///< its limit is a part of the reaction of a contact that is open
   std::vector<Name> rows = {};  ///< of constraints, as long as it sticks
 };
 
@@ -370,8 +372,8 @@ struct Model {
   std::string content_hash;     ///< FNV-1a 64 of the text, 16 hexadecimal digits
   bool leaves_out = false;      ///< an entry with count 0: what it would use may stand unused
   std::vector<Effect> effects;  ///< all of the file
-  std::map<std::string, std::string>
-      words_of_absent_effects;  ///< names that those that do not act declare or mention, each with one of them
+  std::map<std::string, std::vector<std::string>>
+      words_of_absent_effects;  ///< names that those that do not act declare or mention, each with all of them
   std::vector<Parameter> parameters;
   std::vector<Input> inputs;
   std::vector<Table> tables;
@@ -385,7 +387,7 @@ struct Model {
   std::vector<Contact> contacts;
   std::vector<DryFriction> frictions;
   bool is_ground = false;                  ///< contacts are open and friction is left out
-  std::vector<std::string> broken;         ///< rows that are no more in the regime that was read
+  std::vector<Constraint> broken;          ///< rows that are no more in the regime that was read
   std::vector<Guard> guards;               ///< of the regime that was read
   std::vector<Constraint> idle_slips;      ///< directions of `rolls` in which the motion is held anyway
   std::vector<std::string> idle_closures;  ///< rows of `coincide` that hold in every motion and are left out

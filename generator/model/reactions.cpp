@@ -24,7 +24,8 @@ std::string owner_in(const std::string& name) {
 
 /// Of what may be a constraint, and is none in this regime.
 bool is_absent(const std::string& owner, const Model& model) {
-  const bool is_broken = std::find(model.broken.begin(), model.broken.end(), owner) != model.broken.end();
+  const bool is_broken = std::any_of(model.broken.begin(), model.broken.end(),
+                                     [&](const Constraint& row) { return row.name.text == owner; });
   return is_broken || is_reaction_of_open_contact(owner + std::string(k_component), model);
 }
 

@@ -104,8 +104,8 @@ class ConstraintReader {
     constraint.span = span;
     constraint.law = std::move(law);
     constraint.may_vanish = !suffix.empty();
-    if (is_broken_) return reading_.model.broken.push_back(constraint.name.text);
     constraint.breaks_at = breaks_at_;
+    if (is_broken_) return reading_.model.broken.push_back(std::move(constraint));
     if (const Node* point = spec::find(map_, "point")) {
       constraint.point = read_vector(*point, name_.span, "'point'", reading_);
     }

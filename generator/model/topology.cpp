@@ -241,6 +241,17 @@ void check_constraints(Reading& reading) {
   }
 }
 
+/// A closed one is a constraint, which is looked at as such.
+void check_gaps(Reading& reading) {
+  for (const Contact& contact : reading.model.contacts) {
+    if (contact.mode == Mode::closed || has_free_speed(contact.gap, true, reading.model)) continue;
+    reading.diagnostics.error(
+        code::k_no_velocity, contact.gap.span,
+        fmt::format("no free coordinate appears in the gap of the contact '{}'", contact.name.text),
+        "a gap changes as the model moves: write it with coordinates, or places such as tip.z");
+  }
+}
+
 bool moves(const Ast& ast, const Model& model) {
   if (ast.kind == AstKind::symbol) {
     const auto symbol = model.symbols.find(ast.name);
@@ -343,6 +354,7 @@ void check_topology(Reading& reading) {
   }
   if (!model.bodies.empty() && !reading.unread.any()) check_used(reading);
   check_constraints(reading);
+  check_gaps(reading);
   check_contacts(reading);
   check_inertia_stated(reading);
 }

@@ -13,11 +13,12 @@ namespace gaussgen::model {
 
 namespace {
 
-/// What expressions name.
+/// What expressions name, and those of what is broken in this regime.
 class Uses {
  public:
   explicit Uses(const Model& model) {
     for_each_expression(model, [&](const Ast& ast, const Place&) { collect(ast); });
+    for_each_expression_of_broken(model, [&](const Ast& ast) { collect(ast); });
   }
 
   bool has(const Name& name) const { return names_.count(name.text) > 0; }
@@ -51,11 +52,17 @@ class Reporter {
   support::Diagnostics& diagnostics_;
 };
 
+/// What several effects have in common can stand in none of them.
+bool belongs_to_several_effects(const Name& name, const Model& model) {
+  const auto found = model.words_of_absent_effects.find(name.text);
+  return found != model.words_of_absent_effects.end() && found->second.size() > 1;
+}
+
 /// Where an effect uses it that does not act, code is emitted for nothing.
 std::string hint_for(const Name& name, const Model& model, const char* otherwise) {
   const auto found = model.words_of_absent_effects.find(name.text);
   if (found == model.words_of_absent_effects.end()) return otherwise;
-  return fmt::format("the effect '{}', which does not act, mentions it: declare it there", found->second);
+  return fmt::format("the effect '{}', which does not act, mentions it: declare it there", found->second.front());
 }
 
 }  // namespace
@@ -68,11 +75,11 @@ void check_uses(const Model& model, const support::Source& source, support::Diag
     reporter.report(table.name, "table", fmt::format("write {}(x), or remove it", table.name.text));
   }
   for (const Parameter& parameter : model.parameters) {
-    if (!uses.has(parameter.name))
+    if (!uses.has(parameter.name) && !belongs_to_several_effects(parameter.name, model))
       reporter.report(parameter.name, "parameter", hint_for(parameter.name, model, "use it, or remove it"));
   }
   for (const Input& input : model.inputs) {
-    if (uses.has(input.name)) continue;
+    if (uses.has(input.name) || belongs_to_several_effects(input.name, model)) continue;
     reporter.report(input.name, "input", hint_for(input.name, model, "let a force or a quantity use it, or remove it"));
   }
 }

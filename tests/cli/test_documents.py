@@ -42,6 +42,18 @@ class Documents(Program):
             with self.subTest(name):
                 self.ok("-", "--check", stdin=text)
 
+    def test_every_effect_of_a_model_is_right(self):
+        """Formulas of effects are read where they act: with all of them, and each alternative in its turn."""
+        with_effects = {name: text for name, text in self.models.items() if "\neffects:\n" in text}
+        self.assertGreaterEqual(with_effects.keys(), {"thrown_ball", "spinning_ball", "pulled_block"})
+        for name, text in with_effects.items():
+            section = re.split(r"(?m)^(?=\S)", text.partition("\neffects:\n")[2])[0]
+            effects = re.findall(r"(?m)^  (\w+):", section)
+            self.assertGreater(len(effects), 1, name)
+            for choice in ["all", *(f"all,{effect}" for effect in effects)]:
+                with self.subTest(name, choice=choice):
+                    self.ok("-", "--check", f"--effects={choice}", stdin=text)
+
     def test_the_ball_on_the_slope_moves_as_stated(self):
         found = self.evaluated("ball_on_slope")
         m, g, alpha = 0.5, 9.81, math.pi / 6

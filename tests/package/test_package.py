@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import textwrap
 import time
@@ -192,6 +193,31 @@ class Package(unittest.TestCase):
             self.edit("effects: [gravity, air]", "effects: [gravity]", file="far.yaml")
             self.make("alone")
             self.assertEqual(subprocess.run([self.build / "alone"], check=False).returncode, 2)  # m and c, no g
+
+    def test_a_program_goes_from_regime_to_regime_by_their_guards(self):
+        for file in ("ball_on_shaker.yaml", "ball_on_shaker.cpp"):
+            shutil.copy(SOURCE / "examples" / file, self.source)
+        (self.source / "resting.cpp").write_text(
+            '#include "ball_on_shaker.hpp"\nint main() { gauss::ball_on_shaker::Guards<double> guards{};\n'
+            "  return gauss::ball_on_shaker::n_constraints + static_cast<int>(guards.table_opens); }\n")
+        call = "gauss_add_model(TARGET resting MODEL ball_on_shaker.yaml REGIME table=closed OUTPUTS rhs guards)\n"
+        with (self.source / "CMakeLists.txt").open("a", encoding="utf-8") as file:
+            file.write("add_executable(shaker ball_on_shaker.cpp)\n"
+                       "gauss_add_model(TARGET shaker MODEL ball_on_shaker.yaml REGIME ground VARIANTS flying= resting=table=closed\n"
+                       f"                OUTPUTS rhs initial_state guards impact_system)\nadd_executable(resting resting.cpp)\n{call}")
+        for generator in [ANY_GENERATOR] + (["Unix Makefiles"] if shutil.which("make") else []):
+            shutil.rmtree(self.build, ignore_errors=True)
+            self.configure(generator)
+            self.make("shaker")
+            # Compared with closed forms by tests/examples.
+            run(sys.executable, "-B", SOURCE / "tests/examples/test_ball_on_shaker.py", self.build / "shaker")
+            self.assertNotIn("Generating", self.make("shaker"))
+            self.make("resting")
+            self.assertEqual(subprocess.run([self.build / "resting"], check=False).returncode, 1)  # the table holds it
+            self.assertNotIn("Generating", self.make("resting"))
+        shutil.rmtree(self.build)
+        self.edit(call, call.replace("table=closed", "closed"), file="CMakeLists.txt")
+        self.assertIn("REGIME is modes of contacts, friction and links, as in floor=closed, or 'ground', and not 'closed'", self.configuring_fails())
 
     def test_a_header_of_a_former_name_is_not_left_for_includes_to_find(self):
         self.configure(ANY_GENERATOR)

@@ -213,6 +213,7 @@ void add_effects(CLI::App& app, EffectsOptions& options) {
       ->add_option("-o,--output", options.output,
                    "path of what is written, to which .json and .svg are added; default <name>.effects")
       ->type_name("PATH");
+  command->add_flag("--html", options.writes_page, "write a page, too, as that of a study");
   add_setting(command, options);
   command
       ->add_option(

@@ -7,9 +7,10 @@
 
 namespace gausssim {
 
-/// `output`: path to which .json and .svg are added.
+/// `output`: path to which .json and .svg are added, and .html.
 struct EffectsOptions : RunOptions {
   std::optional<double> need;  ///< largest change of the motion, relative to the range of each output
+  bool writes_page = false;    ///< HTML
 };
 
 /// Returns an exit code. Throws as `run`.

@@ -22,7 +22,7 @@ EffectSet without_any(EffectSet acting, const std::vector<gaussgen::model::Effec
 std::optional<Compared> next_rung(const Measured& from, Workbench& bench) {
   std::optional<Compared> best;
   for (const Move& move : moves_from(from.acting, bench.effects())) {
-    if (Interruption::is_asked_for()) return std::nullopt;
+    if (ends_now()) return std::nullopt;
     const Measured& found = bench.measured(move.left);
     if (!found.why.empty() || found.operations > from.operations) continue;
     const auto order = [](const Measured& one) { return std::tuple(one.change.value, one.operations); };
@@ -59,7 +59,7 @@ std::optional<Ladder> make_ladder(Workbench& bench) {
   ladder.all = bench.measured(bench.all());
   for (const Move& move : moves_from(bench.all(), bench.effects())) {
     ladder.each.push_back({move, bench.measured(move.left)});
-    if (Interruption::is_asked_for()) return std::nullopt;
+    if (ends_now()) return std::nullopt;
   }
   ladder.rungs.push_back({{"all", bench.all()}, ladder.all});
   while (const auto next = next_rung(ladder.rungs.back().measured, bench)) {
@@ -69,7 +69,7 @@ std::optional<Ladder> make_ladder(Workbench& bench) {
     ladder.rungs.push_back(*next);
   }
   ladder.none = bench.measured(without_any(bench.all(), bench.effects()));
-  if (Interruption::is_asked_for()) return std::nullopt;
+  if (ends_now()) return std::nullopt;
   return ladder;
 }
 

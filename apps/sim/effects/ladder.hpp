@@ -28,7 +28,7 @@ struct Ladder {
 /// Of the sets that were run: the fewest operations, then the fewest effects, of which the motion changes by no more. `all` is one of them.
 Measured cheapest_within(const Ladder& ladder, double change);
 
-/// Nothing: it was interrupted.
+/// Nothing: it was interrupted, or its time is over.
 std::optional<Ladder> make_ladder(Workbench& bench);
 
 }  // namespace gausssim

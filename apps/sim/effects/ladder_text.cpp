@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "support/suggest.hpp"
 
 namespace gausssim {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t k_least_width = 22;
 
@@ -38,33 +35,6 @@ std::size_t width_of(const EffectsReport& report) {
   return width;
 }
 
-Json json_of(const Measured& measured, const EffectsReport& report) {
-  Json json{{"effects", in_order(measured.acting, report.bench.effects())}};
-  if (measured.acting.empty()) json["effects"] = Json::array();
-  if (!measured.why.empty()) {
-    json["why"] = measured.why;
-    return json;
-  }
-  json["operations"] = measured.operations;
-  if (measured.ns > 0) json["ns"] = measured.ns;
-  json["run_seconds"] = measured.seconds;
-  json["calls"] = measured.calls;
-  json["change"] = measured.change.value;
-  if (!measured.change.output.empty()) json["output"] = measured.change.output;
-  if (!measured.lacks.empty()) json["lacks"] = measured.lacks;
-  return json;
-}
-
-Json json_of(const std::vector<Compared>& list, const EffectsReport& report) {
-  Json json = Json::array();
-  for (const Compared& one : list) {
-    Json entry{{"what", one.move.what}};
-    entry.update(json_of(one.measured, report));
-    json.push_back(std::move(entry));
-  }
-  return json;
-}
-
 }  // namespace
 
 std::string in_words(const EffectsReport& report) {
@@ -86,20 +56,6 @@ std::string in_words(const EffectsReport& report) {
   return text + fmt::format("\n  {:g} needs {}: {} of {} operations, {:.3g} of the time\n", *need,
                             gaussgen::support::joined(in_order(chosen->acting, bench.effects())), chosen->operations,
                             ladder.all.operations, ladder.all.seconds > 0 ? chosen->seconds / ladder.all.seconds : 1);
-}
-
-std::string in_json(const EffectsReport& report) {
-  const auto& [bench, ladder, need, chosen] = report;
-  Json json{
-      {"scene", bench.name()}, {"duration", bench.duration()}, {"method", bench.method()}, {"engine", bench.engine()}};
-  if (bench.noise()) json["good_to"] = bench.noise()->value;
-  json["all"] = json_of(ladder.all, report);
-  json["none"] = json_of(ladder.none, report);
-  json["shared_operations"] = ladder.shared_operations();
-  json["each"] = json_of(ladder.each, report);
-  json["ladder"] = json_of(ladder.rungs, report);
-  if (need) json["need"] = {{"change", *need}, {"chosen", json_of(*chosen, report)}};
-  return json.dump(1) + "\n";
 }
 
 }  // namespace gausssim

@@ -1,5 +1,5 @@
 #pragma once
-// What effects cost and change, for people and for programs.
+// What effects cost and change, for people.
 
 #include <optional>
 #include <string>
@@ -17,7 +17,6 @@ struct EffectsReport {
 };
 
 std::string in_words(const EffectsReport& report);
-std::string in_json(const EffectsReport& report);
 
 /// SVG: for each effect what it costs beside what it changes, and the ladder.
 std::string chart_of_effects(const EffectsReport& report);

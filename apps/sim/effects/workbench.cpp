@@ -93,6 +93,8 @@ int Workbench::begin() {
   if (prepared->effects.empty()) throw cli::UsageError("none of the effects acts: --effects all takes all of them");
   options_.messages.is_silent = true;
   name_ = prepared->name();
+  about_ = prepared->scene.about.empty() ? prepared->model.unit.about : prepared->scene.about;
+  model_file_ = prepared->model_file;
   effects_ = prepared->known_effects;
   all_ = {prepared->effects.begin(), prepared->effects.end()};
   columns_ = prepared->columns.columns;

@@ -36,6 +36,8 @@ class Workbench {
   const Measured& measured(const EffectSet& acting);
 
   const std::string& name() const { return name_; }
+  const std::string& about() const { return about_; }  ///< of the scene, else of the model
+  const std::string& model_file() const { return model_file_; }
   const std::vector<gaussgen::model::Effect>& effects() const { return effects_; }
   const EffectSet& all() const { return all_; }
   /// What the run with all effects is off by, as tighter ones say; nothing where they say nothing, for this reason.
@@ -50,7 +52,7 @@ class Workbench {
   Rows in_columns_of_all(const Rows& rows, const std::vector<Column>& columns, std::vector<std::string>& lacks) const;
 
   RunOptions options_;
-  std::string name_, method_, engine_;
+  std::string name_, about_, model_file_, method_, engine_;
   double duration_ = 0;
   std::vector<gaussgen::model::Effect> effects_;
   EffectSet all_;

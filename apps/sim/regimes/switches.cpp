@@ -13,7 +13,7 @@ Switches switches_of(const model::Model& from) {
   const model::Values values = model::parameter_values(from);
   for (const model::Contact& contact : from.contacts) {
     const auto restitution = contact.restitution ? model::value_of(*contact.restitution, values) : std::nullopt;
-    result.contacts.push_back({contact.name.text, restitution.value_or(0)});
+    result.contacts.push_back({contact.name.text, restitution.value_or(0), contact.impulse_unit});
   }
   for (const model::DryFriction& friction : from.frictions)
     result.frictions.push_back({friction.name.text, friction.law.slips.size()});

@@ -15,6 +15,7 @@ using Modes = gaussgen::model::GivenRegime;
 struct ContactSwitch {
   std::string name;
   double restitution = 0;
+  std::string impulse_unit = {};  ///< empty where the model states no units
 };
 
 struct FrictionSwitch {

@@ -7,6 +7,7 @@
 #include "cli/replacement.hpp"
 #include "sim/output/csv.hpp"
 #include "sim/output/files.hpp"
+#include "sim/regimes/impulse_units.hpp"
 #include "sim/run/finished_run.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
@@ -34,9 +35,10 @@ void warn_of_tolerance(const Setting& setting, const cli::MessageOptions& messag
               messages);
 }
 
-std::string events_csv(const std::vector<Event>& events) {
-  std::string text = "t [s],event,impulse [N*s]\n";
-  for (const Event& event : events) text += fmt::format("{},{},{}\n", event.t, event.what, event.impulse);
+std::string events_csv(const std::vector<Event>& events, const Switches& switches) {
+  std::string text = fmt::format("t [s],event,{}\n", head_of_impulses(switches));
+  for (const Event& event : events)
+    text += fmt::format("{},{},{}\n", event.t, event.what, cell_of_impulse(event, switches));
   return text;
 }
 
@@ -80,7 +82,8 @@ class Run {
     const std::string text = summary_of(finished);
     file.finish();
     if (csv_ != "-") cli::Replacement(summary_path(csv_), text).commit();
-    if (csv_ != "-" && prepared_.regimes) cli::Replacement(events_path(csv_), events_csv(run.events)).commit();
+    if (csv_ != "-" && prepared_.regimes)
+      cli::Replacement(events_path(csv_), events_csv(run.events, prepared_.regimes->switches())).commit();
     if (!options_.quiet && csv_ != "-") tell(finished);
     return report_end(finished, run.samples > (earlier_ ? earlier_->run.samples : 1), options_.messages);
   }

@@ -125,7 +125,7 @@ const std::string* absent_effect_with(const std::string& name, const model::Mode
   const auto& words = in.words_of_absent_effects;
   auto found = words.find(name);
   if (found == words.end() && is_rate) found = words.find(name.substr(0, name.size() - k_rate.size()));
-  return found == words.end() || in.symbols.count(name) > 0 ? nullptr : &found->second;
+  return found == words.end() || in.symbols.count(name) > 0 ? nullptr : &found->second.front();
 }
 
 }  // namespace

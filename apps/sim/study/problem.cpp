@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cli/exit_codes.hpp"
+#include "sim/effects/ladder_json.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/progress_bar.hpp"
 #include "sim/run/setting.hpp"
@@ -58,7 +59,8 @@ constexpr double k_least_first_runs = 10;  ///< of which nothing is known before
 
 class Solver {
  public:
-  Solver(StudyProblem& problem, const StudyOptions& options) : problem_(problem), options_(options) {}
+  Solver(const std::string& file, StudyProblem& problem, const StudyOptions& options)
+      : file_(file), problem_(problem), options_(options) {}
 
   void run() {
     auto reference = reference_in_time();
@@ -70,6 +72,7 @@ class Solver {
     try {
       if (problem_.why.empty()) show_beside();
       show_motion();
+      show_effects();
     } catch (const Interrupted&) {
       // The points are there.
     }
@@ -117,6 +120,15 @@ class Solver {
     auto motion = motion_of(first.model, *first.engine, default_setting(first.model, *first.engine));
     if (Interruption::is_asked_for()) throw Interrupted{};
     if (!limit.is_over()) problem_.motion = std::move(motion);
+  }
+
+  /// Each of the sets is derived and compiled, which takes its time, too.
+  void show_effects() {
+    const PreparedModel& model = problem_.forms.front().model;
+    const bool are_left_out = !model.scene.effects.empty() && model.effects.empty();
+    if (!options_.methods.empty() || !model.has_effects() || are_left_out) return;
+    constexpr double k_least = 60;
+    problem_.effects = json_of_effects(file_, k_least + options_.budget);
   }
 
   /// Another description has to tell the same motion, as far as tight runs tell it at all.
@@ -245,6 +257,7 @@ class Solver {
     }
   }
 
+  const std::string& file_;
   StudyProblem& problem_;
   const StudyOptions& options_;
   Clock::time_point begin_ = Clock::now();
@@ -260,7 +273,7 @@ std::optional<StudyProblem> solve_problem(const std::string& file, const StudyOp
   problem.name = model.name();
   problem.file = std::filesystem::path(model.model_file).filename().string();
   if (!model.scene.model.text.empty()) problem.scene = std::filesystem::path(file).filename().string();
-  Solver(problem, options).run();
+  Solver(file, problem, options).run();
   return problem;
 }
 

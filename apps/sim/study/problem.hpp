@@ -2,6 +2,7 @@
 // One problem of a study, from its file to its points.
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct StudyProblem {
   std::vector<DriftTrace> drifts;
   std::optional<Motion> motion;
   std::vector<LanesRow> lanes;
-  std::string why;  ///< there is no reference
+  nlohmann::ordered_json effects;  ///< what they cost and change; null where the model has none that act
+  std::string why;                 ///< there is no reference
   bool was_interrupted = false;
 };
 

@@ -12,7 +12,7 @@
 #include "cli/files.hpp"
 #include "cli/replacement.hpp"
 #include "sim/output/files.hpp"
-#include "sim/report/report_template.hpp"
+#include "sim/page/page.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/prepare.hpp"
 #include "sim/run/setting.hpp"
@@ -24,19 +24,6 @@ namespace gausssim {
 namespace {
 
 namespace cli = gaussgen::cli;
-
-/// No name can end the element of the page that holds it.
-std::string without_tags(const std::string& json) {
-  std::string result;
-  for (const char c : json) result += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return result;
-}
-
-std::string page(const std::string& json) {
-  std::string text(report_template());
-  text.replace(text.find(report_placeholder), report_placeholder.size(), without_tags(json));
-  return text;
-}
 
 std::string in_words(const Point& point, const StudyProblem& problem) {
   const Setting& setting = point.candidate.setting;
@@ -139,7 +126,7 @@ int study(const StudyOptions& options) {
   std::list<cli::Replacement> files;
   files.emplace_back(output + ".json", json.dump(1) + "\n");
   files.emplace_back(output + ".csv", study_csv(problems));
-  files.emplace_back(output + ".html", page(json.dump()));
+  files.emplace_back(output + ".html", page_of(json));
   for (cli::Replacement& file : files) file.commit();
   if (!options.quiet) cli::write_standard_output(fmt::format("wrote {0}.json, {0}.csv and {0}.html\n", output));
   if (was_interrupted(problems, options)) return say_interrupted(problems, options);

@@ -4,9 +4,8 @@
 
 #include <cmath>
 
+#include "sim/page/page.hpp"
 #include "sim/run/identity.hpp"
-#include "sim/study/machine.hpp"
-#include "version.hpp"
 
 namespace gausssim {
 
@@ -194,6 +193,7 @@ Json problem_json(const StudyProblem& problem) {
                              {"trajectories_per_s", number(row.trajectories_per_s)},
                              {"ratio", number(row.ratio)}});
   }
+  if (!problem.effects.is_null()) json["effects"] = problem.effects;
   if (problem.motion) json["motion"] = motion_json(*problem.motion);
   return json;
 }
@@ -205,15 +205,7 @@ bool was_interrupted(const std::vector<StudyProblem>& problems, const StudyOptio
 }
 
 nlohmann::ordered_json study_json(const std::vector<StudyProblem>& problems, const StudyOptions& options) {
-  const Computer machine = this_machine();
-  Json json;
-  json["format"] = 1;
-  json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
-  json["machine"] = {{"processor", machine.processor},
-                     {"cores", machine.cores},
-                     {"system", machine.system},
-                     {"compiler", machine.compiler},
-                     {"flags", machine.flags}};
+  Json json = head_of_study();
   json["budget_s"] = options.budget;
   json["interrupted"] = was_interrupted(problems, options);
   json["problems"] = Json::array();

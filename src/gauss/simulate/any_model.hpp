@@ -9,6 +9,9 @@
 //     ball.initial_state(x.data());
 //     ball.rhs(0, x.data(), rates.data());
 //
+// Variants may be regimes of contacts and friction (--variant resting=floor=closed, with --outputs rhs,guards): each is a function set of its own, and
+// `guards` says when it ends.
+//
 // A call costs one jump through a pointer more than that of the emitted function.
 #ifndef GAUSS_SIMULATE_ANY_MODEL_HPP
 #define GAUSS_SIMULATE_ANY_MODEL_HPP
@@ -27,6 +30,7 @@ namespace gauss::simulate {
 struct AnyModel {
   const char* name;
   const char* effects;  ///< that act, with commas between
+  const char* regime;   ///< modes that were asked for, as floor=closed, with commas between
   int n_q, n_v, n_parameters, n_inputs;
   const Quantity *coordinates, *speeds, *parameters, *inputs;  ///< tables end with a null name
   std::size_t prepared_size;
@@ -37,6 +41,10 @@ struct AnyModel {
   Status (*rhs)(double t, const double* state, const double* inputs, const void* prepared, double* rates);
   /// In place. Leaves states of a model that was generated without `project` as they are.
   Status (*project)(double t, const void* prepared, double* state);
+  int n_guards;                    ///< 0: it has none, or was generated without `guards`
+  const char* const* guard_names;  ///< ends with a null; null without guards
+  /// What ends this regime (docs/regimes.md). Null without guards.
+  Status (*guards)(double t, const double* state, const double* inputs, const void* prepared, double* values);
 };
 
 namespace detail {
@@ -110,14 +118,24 @@ struct Calls {
   }
 };
 
+template <class M, class Guards>
+Status guards_of(double t, const double* values, const double* numbers, const void* prepared, double* result) {
+  using Own = Calls<M>;
+  Guards found{};
+  const Status status = guards(t, Own::state_of(values), Own::inputs_of(numbers), Own::known(prepared), found);
+  std::memcpy(result, &found, sizeof(found));
+  return status;
+}
+
 }  // namespace detail
 
 /// `M`: of GAUSS_MODEL.
 template <class M>
-constexpr AnyModel any_model(const char* name, const char* effects) {
+constexpr AnyModel any_model(const char* name, const char* effects, const char* regime = "") {
   using Calls = detail::Calls<M>;
   return {name,
           effects,
+          regime,
           M::n_q,
           M::n_v,
           M::n_parameters,
@@ -131,7 +149,22 @@ constexpr AnyModel any_model(const char* name, const char* effects) {
           Calls::prepare,
           Calls::initial_state,
           Calls::rhs,
-          Calls::project};
+          Calls::project,
+          0,
+          nullptr,
+          nullptr};
+}
+
+/// `Guards`: of the emitted namespace, in double; `guard_names`: its members and a null behind them.
+template <class M, class Guards, std::size_t n>
+constexpr AnyModel any_model(const char* name, const char* effects, const char* regime,
+                             const char* const (&guard_names)[n]) {
+  static_assert(sizeof(Guards) == sizeof(double[n - 1]), "as many names as guards");
+  AnyModel model = any_model<M>(name, effects, regime);
+  model.n_guards = static_cast<int>(n - 1);
+  model.guard_names = guard_names;
+  model.guards = detail::guards_of<M, Guards>;
+  return model;
 }
 
 /// Null: there is none of this name.
@@ -141,6 +174,14 @@ const AnyModel* find_model(const AnyModel (&models)[n], const char* name) {
     if (std::strcmp(model.name, name) == 0) return &model;
   }
   return nullptr;
+}
+
+/// The place of a guard in what `guards` fills; -1: this regime has none of this name.
+inline int find_guard(const AnyModel& model, const char* name) {
+  for (int i = 0; i < model.n_guards; ++i) {
+    if (std::strcmp(model.guard_names[i], name) == 0) return i;
+  }
+  return -1;
 }
 
 /// One of them with its parameters and inputs.
@@ -174,6 +215,10 @@ class ChosenModel {
   Status initial_state(double* state) const { return model_->initial_state(prepared_.data(), state); }
   Status rhs(double t, const double* state, double* rates) const {
     return model_->rhs(t, state, inputs_.data(), prepared_.data(), rates);
+  }
+  /// Of models with guards alone.
+  Status guards(double t, const double* state, double* values) const {
+    return model_->guards(t, state, inputs_.data(), prepared_.data(), values);
   }
   Status project(double t, double* state) const { return model_->project(t, prepared_.data(), state); }
 

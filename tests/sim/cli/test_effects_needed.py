@@ -1,9 +1,17 @@
 """gauss-sim effects: what each effect costs and changes, and which a wanted accuracy needs."""
 
+import json
 import math
+import os
+import re
 import unittest
+from pathlib import Path
+
+import jsonschema
 
 from gauss_sim import Program
+
+SCHEMA = jsonschema.Draft7Validator(json.loads((Path(os.environ["GAUSS_SOURCE_DIR"]) / "apps/sim/report/study.schema.json").read_text(encoding="utf-8")))
 
 # Unforced, x = cos(w t). What the others change is known in closed form.
 SPRING = """gauss: 1
@@ -136,6 +144,37 @@ class EffectsNeeded(Program):
     def test_what_the_run_cannot_tell_is_refused(self):
         said = self.refused(6, "effects", "hang.yaml", "--method", "rk4", "--step", "0.5", "--need", "1e-6")
         self.assertIn("it cannot tell a change of 1e-06", said)
+
+    def study_in(self, page):
+        """What a page shows."""
+        text = (self.folder / page).read_text(encoding="utf-8")
+        return json.loads(re.search(r'<script type="application/json" id="study">(.*?)</script>', text, re.S)[1])
+
+    def test_the_page_is_a_study_without_runs_that_has_what_the_summary_has(self):
+        said = self.ok("effects", "hang.yaml", "--need", "1e-4", "--html", "-o", "shown.html")
+        self.assertIn("wrote shown.json, shown.svg and shown.html, and the scene", said)
+        study = self.study_in("shown.html")
+        self.assertEqual([error.message for error in SCHEMA.iter_errors(study)], [])
+        [problem] = study["problems"]
+        self.assertEqual({key: problem[key] for key in ("name", "about", "file", "scene")},
+                         {"name": "hang", "about": "mass on a spring", "file": "bench.yaml", "scene": "hang.yaml"})
+        self.assertEqual(problem["effects"], self.summary("shown.json"))
+        self.assertEqual(problem["effects"]["about"]["push"], "a constant force")
+        self.assertEqual(problem["effects"]["need"]["chosen"]["effects"], ["spring", "push"])
+        (self.folder / "shown.html").unlink()
+        self.ok("effects", "hang.yaml", "-o", "shown")
+        self.assertNotIn("shown.html", self.files())
+
+    def test_a_scene_or_a_model_may_come_from_standard_input(self):
+        before = self.files()
+        of_file = self.report("hang.yaml")
+        self.ok("effects", "-", "--need", "1e-4", "-o", "shown", input=SCENE)
+        self.assertEqual([one["change"] for one in self.summary("shown.json")["each"]], [one["change"] for one in of_file["each"]])
+        self.assertIn("effects: [spring, push]\n", (self.folder / "hang.lean.yaml").read_text())
+        result = self.run_it("effects", "-", "--effects", "all", "--duration", "pi", "--need", "1e-4", "-o", "shown", input=SPRING)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("standard input is no file that a scene could name", result.stderr)
+        self.assertEqual(self.files(), sorted([*before, "hang.lean.yaml", "shown.json", "shown.svg"]))
 
     def test_mistakes_are_said(self):
         self.write("plain.yaml", SPRING[:SPRING.index("effects:")])

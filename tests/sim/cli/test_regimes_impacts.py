@@ -287,6 +287,25 @@ class Impacts(Regimes):
             kinetic = G * 0.5 * (math.cos(lo) - math.cos(1.2)) * 0.25**done
             self.assertAlmostEqual(row["energy.total"], kinetic - G * 0.5 * math.cos(lo), delta=1e-10)
 
+    def test_impulses_along_angles_have_another_unit_than_those_along_lengths(self):
+        def head(text):
+            self.go(text, "--duration", "1")
+            return (self.folder / "x.events.csv").read_text(encoding="utf-8").splitlines()
+
+        ball = ("gauss: 1\nname: ball\nparameters: {m: {value: 2, unit: kg}, l: {value: 0.5, unit: m}, g: {value: 9.81, unit: m/s^2}, lo: {value: 0.2, unit: rad}}\n"
+                "coordinates: {z: {unit: m, initial: 0.1}, theta: {unit: rad, initial: 1.2}}\n"
+                "particles: {ball: {mass: m, position: [0, 0, z]}, bob: {mass: m, position: [l*sin(theta), 0, -l*cos(theta)]}}\n"
+                "contacts: {floor: {gap: z}, stop: {gap: theta + lo}}\nforces: {gravity: {uniform: [0, 0, -g]}}\n")
+        self.assertEqual(head(ball.replace(", stop: {gap: theta + lo}", ""))[0], "t [s],event,impulse [N*s]")
+        self.assertEqual(head(ball.replace("floor: {gap: z}, ", ""))[0], "t [s],event,impulse [N*m*s]")
+        self.write("model.yaml", ball)
+        self.ok("run", "model.yaml", "-q", "--duration", "1", "-o", "x.csv")
+        rows = [line.split(",") for line in (self.folder / "x.events.csv").read_text(encoding="utf-8").splitlines()]
+        self.assertEqual(rows[0], ["t [s]", "event", "impulse", "unit"])
+        units = {row[1]: row[3] for row in rows[1:]}
+        self.assertEqual((units["floor hits"], units["stop hits"], units["floor closed"]), ("N*s", "N*m*s", ""))
+        self.assertEqual(head(STOP)[0], "t [s],event,impulse")  # it states no units
+
     def test_a_rope_goes_slack_where_its_tension_ends_and_the_bob_flies(self):
         table, events = self.go(ROPE, "--duration", "0.9", "--tolerance", "1e-12", "--outputs", "state,reactions", "--samples", "901")
         # m v^2/l + m g cos(phi) = 0 with v^2 = v0^2 - 2 g l (1 - cos(phi))

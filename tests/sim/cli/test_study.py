@@ -60,6 +60,35 @@ class Study(Program):
                 self.assertTrue(all(math.isfinite(value) for value in trace["energy"]))
 
 
+EFFECTS = SPRING.replace("forces:", "effects:\n  push: {about: a constant force, parameters: {F: {value: 0.004, unit: N}}, "
+                         "forces: {push: {generalized: {x: F}}}}\nforces:")
+
+
+class Effects(Program):
+    def effects_of(self, scene, *options):
+        self.write("model.yaml", EFFECTS)
+        self.write("scene.yaml", f"gauss: 1\nscene: s\nmodel: model.yaml\nduration: pi\noutputs: [x]\n{scene}")
+        said = self.ok("study", "scene.yaml", "--budget", "2", "--tightest", "1e-6", *options)
+        study = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))
+        self.assertEqual([error.message for error in SCHEMA.iter_errors(study)], [])
+        self.assertIn("runs, reference good to", said)
+        return study["problems"][0].get("effects")
+
+    def test_what_effects_cost_and_change_is_a_part_of_the_study(self):
+        found = self.effects_of("effects: all\n")
+        # x = F/k + (1 - F/k) cos(2 t), so without the push it is off by F/k (1 - cos), of a range of 2.
+        [without] = found["each"]
+        self.assertEqual((without["what"], without["effects"], without["output"]), ("without push", [], "x"))
+        self.assertAlmostEqual(without["change"], 0.0005, delta=1e-3 * 0.0005)
+        self.assertLess(without["operations"], found["all"]["operations"])
+        self.assertEqual(found["about"], {"push": "a constant force"})
+        self.assertIn('"what":"without push"', (self.folder / "study.html").read_text(encoding="utf-8"))
+
+    def test_where_no_effect_is_chosen_they_are_no_part_of_it(self):
+        self.assertIsNone(self.effects_of("effects: none\n"))
+        self.assertIsNone(self.effects_of("effects: all\n", "--methods", "prince87"))
+
+
 class Files(Program):
     def test_a_mistake_in_a_later_file_is_told_before_anything_is_measured(self):
         self.write("spring.yaml", SPRING)

@@ -43,9 +43,10 @@ test('every problem has every section, with a chart or a sentence', () => withPa
   for (const [i, problem] of study.problems.entries()) {
     await page.goto(url + at(encodeURIComponent(problem.name)));
     await page.locator('h2', {hasText: problem.name}).waitFor();
-    assert.deepEqual(await page.locator('main > :not([hidden]) .figure').evaluateAll((all) => all.map((one) => one.dataset.chart)), k_sections);
+    const sections = [...k_sections, ...(problem.effects ? ['effects', 'effect-ladder'] : [])];
+    assert.deepEqual(await page.locator('main > :not([hidden]) .figure').evaluateAll((all) => all.map((one) => one.dataset.chart)), sections);
     if (i % 4 !== 1) continue;  // one with all that there is, and one without lanes
-    for (const id of k_sections) {
+    for (const id of sections) {
       const found = await section(page, id);
       assert.ok((await found.locator('h3').textContent()).length > 5);
       if (await found.locator('.empty:not([hidden])').count()) continue;
@@ -207,7 +208,7 @@ test('a heading sorts its column, up, down, and back', () => withPage({url, hash
 
 test('the keyboard reaches everything, and shows where it is', () => withPage({url, hash: at('lagrange_top')}, async (page) => {
   await page.locator('h2', {hasText: 'lagrange_top'}).waitFor();
-  for (const id of k_sections) await section(page, id);  // all are drawn now, and nothing more comes in between
+  for (const id of [...k_sections, 'effects', 'effect-ladder']) await section(page, id);  // all are drawn now, and nothing more comes in between
   await page.evaluate(() => { document.activeElement.blur(); scrollTo(0, 0); });
   const seen = new Set();
   for (let i = 0; i < 220; ++i) {

@@ -83,6 +83,22 @@ class Schema(unittest.TestCase):
                 study["problems"][0][key] = value
             self.refused(change)
 
+    def test_effects_are_measured_or_there_is_a_reason(self):
+        of_effects = next(problem["effects"] for problem in self.study["problems"] if "effects" in problem)
+
+        def changed(change=None):
+            effects = copy.deepcopy(of_effects)
+            if change:
+                change(effects)
+            return list(self.validator.iter_errors({"format": 1, "problems": [{"name": "top", "effects": effects}]}))
+
+        self.assertEqual(changed(), [])
+        self.assertEqual(changed(lambda effects: (effects.clear(), effects.update(why="it sticks"))), [])
+        for change in (lambda effects: effects.clear(), lambda effects: effects.pop("ladder"), lambda effects: effects.update(why=""),
+                       lambda effects: effects["each"][0].pop("effects"), lambda effects: effects["all"].update(opreations=3),
+                       lambda effects: effects["need"].update(change=0)):
+            self.assertNotEqual(changed(change), [])
+
     def test_misspelt_keys_are_refused(self):
         self.refused(lambda study: study["problems"][0]["points"][0].update(tolerence=1e-3))
 

@@ -3,6 +3,7 @@
 
 import {writeFileSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
+import {effects} from './effects.mjs';
 import {motions} from './motions.mjs';
 import {random} from './random.mjs';
 import {drifts, runs} from './runs.mjs';
@@ -47,7 +48,7 @@ function problemOf(given, i) {
   const rand = random(1000 + i);
   const {name, about, duration, outputs, reference} = given;
   const points = runs(given, rand);
-  return {name, about, file: `${name}.yaml`, duration, samples: 501, outputs, reference, builds: builds(given, rand), points, drifts: drifts(points, duration, rand), lanes: i < 4 ? lanes(rand) : [], motion: motions[name]()};
+  return {name, about, file: `${name}.yaml`, duration, samples: 501, outputs, reference, builds: builds(given, rand), points, drifts: drifts(points, duration, rand), lanes: i < 4 ? lanes(rand) : [], motion: motions[name](), ...(name === 'lagrange_top' ? {effects: effects()} : {})};
 }
 
 export const study = () => ({

@@ -1,5 +1,6 @@
 // The page: reads the study in it, and shows one problem after the other as the address says.
 
+import {isOfEffects} from './charts/all.js';
 import {readStudy} from './study.js';
 import {el} from './ui/dom.js';
 import {interruptionOf, machineOf} from './ui/facts.js';
@@ -11,6 +12,8 @@ import {begun, settingOf} from './maths/points.js';
 /** @typedef {import('./types.js').FullProblem} FullProblem */
 /** @typedef {ProblemPage | SummaryPage} Page */
 
+const k_title = 'What accuracy costs in time';
+
 class Report {
   /** @param {import('./types.js').Study} study @param {FullProblem[]} problems */
   constructor(study, problems) {
@@ -19,6 +22,7 @@ class Report {
     this.slugs = problems.map(({name}, i) => problems.findIndex((other) => other.name === name) === i ? name : `${name}-${i + 1}`);
     const runs = problems.flatMap(({points}) => begun(points));
     const names = (/** @type {string} */ key) => [...new Set(runs.map((point) => settingOf(point, key)))];
+    this.title = problems.length > 0 && problems.every(isOfEffects) ? 'What effects cost and change' : k_title;
     this.theme = new Theme(() => this.refresh(), {methods: names('method'), numbers: names('number')});
     this.pages = /** @type {Map<string, Page>} */ (new Map());
     this.current = /** @type {Page | null} */ (null);
@@ -26,7 +30,7 @@ class Report {
     // One alone needs no summary and no choice.
     this.start = problems.length === 1 ? this.slugs[0] : '';
     this.links = problems.length === 1 ? new Map() : new Map([['', el('a', {href: '#/'}, 'Summary')], ...this.slugs.map((slug) => /** @type {[string, HTMLElement]} */ ([slug, el('a', {href: linkOf(slug)}, slug)]))]);
-    document.body.append(this.header(study), this.main, footer());
+    document.body.append(this.header(study), this.main, footer(this.title !== k_title));
     addEventListener('hashchange', () => this.go());
     addEventListener('beforeprint', () => this.print());
     addEventListener('afterprint', () => this.afterPrint());
@@ -36,7 +40,7 @@ class Report {
   /** @param {import('./types.js').Study} study */
   header(study) {
     const skip = el('a', {class: 'skip', href: '#main', click: (/** @type {Event} */ event) => { event.preventDefault(); this.main.focus(); }}, 'Skip to the content');
-    return el('header', {class: 'top'}, skip, el('div', {class: 'title'}, el('div', {}, el('h1', {}, 'What accuracy costs in time'), machineOf(study), interruptionOf(study)), this.theme.element),
+    return el('header', {class: 'top'}, skip, el('div', {class: 'title'}, el('div', {}, el('h1', {}, this.title), machineOf(study), interruptionOf(study)), this.theme.element),
       this.links.size > 0 ? el('nav', {class: 'problems', 'aria-label': 'Problems'}, ...this.links.values()) : null);
   }
 
@@ -94,7 +98,7 @@ class Report {
     page.open();
     this.current = page;
     for (const [name, link] of this.links) mark(link, name === this.known(slug));
-    document.title = `${page.name} – what accuracy costs in time`;
+    document.title = `${page.name} – ${this.title[0].toLowerCase()}${this.title.slice(1)}`;
   }
 
   refresh() {
@@ -135,12 +139,13 @@ function addressed(hash) {
   return [slug, section];
 }
 
-function footer() {
+/** @param {boolean} isOfEffects */
+function footer(isOfEffects) {
   const licences = document.getElementById('licences')?.textContent ?? '';
-  return el('footer', {}, el('p', {}, 'Errors are the largest difference from the reference over all samples and outputs, each output divided by its range; of one that does not change, by its size or the range of others with its unit.'),
+  return el('footer', {}, el('p', {}, `${isOfEffects ? 'Changes are the largest difference from the motion with all effects' : 'Errors are the largest difference from the reference'} over all samples and outputs, each output divided by its range; of one that does not change, by its size or the range of others with its unit.`),
     el('details', {}, el('summary', {}, 'Licences of the libraries in this page'), el('pre', {tabindex: 0}, licences.trim())));
 }
 
 const found = readStudy(document.getElementById('study')?.textContent ?? '');
-if (typeof found === 'string') document.body.append(el('main', {}, el('h1', {}, 'What accuracy costs in time'), el('p', {class: 'empty'}, found)));
+if (typeof found === 'string') document.body.append(el('main', {}, el('h1', {}, k_title), el('p', {class: 'empty'}, found)));
 else new Report(found.study, found.problems);

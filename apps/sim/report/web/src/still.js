@@ -2,6 +2,7 @@
 
 import {k_font} from './charts/axes.js';
 import {chartsOf} from './charts/all.js';
+import {sizeAt} from './charts/frame.js';
 import {summaryOf} from './charts/summary.js';
 import {init} from './echarts.js';
 import {keyRows, swatchParts} from './key.js';
@@ -37,7 +38,7 @@ function allOf(problems) {
 
 /** @param {Picture} picture @param {string} title @param {Look} look */
 function still(picture, title, look) {
-  const height = (picture.height ?? 360) + 26;  // the title is inside
+  const height = sizeAt(picture, k_width).height + 26;  // the title is inside
   const chart = init(null, undefined, {renderer: 'svg', ssr: true, width: k_width, height});
   chart.setOption({...picture.option, tooltip: {show: false}});
   picture.arrange?.(chart, picture.option);

@@ -87,6 +87,36 @@ export interface Motion {
   reactions?: Reaction[];
 }
 
+/** A scene with some of its effects. */
+export interface EffectSet {
+  what?: string;
+  effects: string[];
+  why?: string | null;
+  operations?: number | null;
+  ns?: number | null;
+  run_seconds?: number | null;
+  calls?: number | null;
+  change?: number | null;
+  output?: string | null;
+  lacks?: string[];
+}
+
+export interface Effects {
+  why?: string | null;
+  scene?: string;
+  duration?: number | null;
+  method?: string;
+  engine?: string;
+  good_to?: number | null;
+  about?: Record<string, string>;
+  all?: EffectSet;
+  none?: EffectSet;
+  shared_operations?: number | null;
+  each?: EffectSet[];
+  ladder?: EffectSet[];
+  need?: {change: number, chosen?: EffectSet};
+}
+
 export interface Reference {
   kind: string;
   methods?: string[];
@@ -108,6 +138,7 @@ export interface Problem {
   drifts?: Drift[];
   lanes?: Lanes[];
   motion?: Motion | null;
+  effects?: Effects | null;
 }
 
 export interface Study {
@@ -167,7 +198,8 @@ export interface Picture {
   note?: string;
   table: Table;
   spots: Spot[];
-  height?: number;
+  /** In pixels; a function of the width where that decides what stands below what. */
+  height?: number | ((width: number) => number);
   /** Where more can be drawn: how many of how many are. */
   more?: {drawn: number, all: number, word: string};
   /** What can be placed only where the size is known. */

@@ -9,6 +9,11 @@ const k_top = 24, k_bottom = 54;
 /** Of the height of a chart, what is not its plot. */
 export const k_plot_edges = k_top + k_bottom;
 
+const k_height = 360;
+
+/** @param {import('../types.js').Picture} picture @param {number} width */
+export const sizeAt = ({height = k_height}, width) => ({width, height: typeof height === 'function' ? height(width) : height});
+
 /** @param {Look} look @param {{title: string, left?: number, right?: number, xAxis: any, yAxis: any, series: any[]}} parts */
 export const frame = (look, {title, xAxis, yAxis, series, left = 74, right = 22}) => ({
   animation: false, backgroundColor: look.still ? look.surface : 'transparent', textStyle: {fontFamily: k_font}, xAxis, yAxis, series,

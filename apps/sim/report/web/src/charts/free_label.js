@@ -63,13 +63,28 @@ export const freeLabel = (look, text) => ({
 const symbolsOf = (option) => option.series.filter((/** @type {any} */ {type, silent}) => type === 'scatter' && !silent)
   .flatMap((/** @type {any} */ {data}) => data.map((/** @type {any} */ {value}) => value));
 
-/** @param {import('echarts/core').EChartsType} chart @param {any} option @param {string} text @param {Pixel} at in the units of the axes */
-export function placeLabel(chart, option, text, at) {
+/** Places that a label covers, as close as symbols are. @param {string} text @param {Pixel} middle @returns {Pixel[]} */
+function coveredBy(text, [x, y]) {
+  const half = 0.5 * k_letter * text.length;
+  const count = Math.ceil(2 * half / k_point);
+  return Array.from({length: count + 1}, (_, i) => [x - half + 2 * half * i / count, y]);
+}
+
+/** One after the other: each finds its place beside those before it. @param {import('echarts/core').EChartsType} chart @param {any} option @param {{text: string, at: Pixel}[]} labels `at` in the units of the axes */
+export function placeLabels(chart, option, labels) {
   const pixel = (/** @type {Pixel} */ value) => /** @type {Pixel} */ (chart.convertToPixel('grid', value));
+  const value = (/** @type {Pixel} */ place) => chart.convertFromPixel('grid', place);
   const [a, b] = [pixel([option.xAxis.min, option.yAxis.min]), pixel([option.xAxis.max, option.yAxis.max])];
   const area = {left: Math.min(a[0], b[0]), right: Math.max(a[0], b[0]), top: Math.min(a[1], b[1]), bottom: Math.max(a[1], b[1])};
-  const middle = freePlace(text, pixel(at), symbolsOf(option).map(pixel), area);
-  const value = (/** @type {Pixel} */ place) => chart.convertFromPixel('grid', place);
-  const data = middle ? [...leader(pixel(at), middle, 0.5 * k_letter * text.length).map(value), {value: value(middle), label: {show: true}}] : [];
-  chart.setOption({series: [{id: `label of ${text}`, data}]});
+  const taken = symbolsOf(option).map(pixel);
+  const series = labels.map(({text, at}) => {
+    const middle = freePlace(text, pixel(at), taken, area);
+    if (middle) taken.push(...coveredBy(text, middle));
+    const data = middle ? [...leader(pixel(at), middle, 0.5 * k_letter * text.length).map(value), {value: value(middle), label: {show: true}}] : [];
+    return {id: `label of ${text}`, data};
+  });
+  chart.setOption({series});
 }
+
+/** @param {import('echarts/core').EChartsType} chart @param {any} option @param {string} text @param {Pixel} at in the units of the axes */
+export const placeLabel = (chart, option, text, at) => placeLabels(chart, option, [{text, at}]);

@@ -3,6 +3,7 @@
 import {runsInWords, whyUnmade} from '../counts.js';
 import {counted, isNumber, plain, seconds, small} from '../format.js';
 import {begun, notRun, tally} from '../maths/points.js';
+import {isOfEffects} from '../charts/all.js';
 import {el, pairs} from './dom.js';
 
 /** @typedef {import('../types.js').FullProblem} FullProblem */
@@ -37,6 +38,12 @@ function notRunOf(points) {
   ].filter(Boolean).join('\n');
 }
 
+/** What each is, and which of them are not called for. @param {import('../types.js').Effects | null | undefined} effects */
+function effectsOf(effects) {
+  const acting = new Set(effects?.all?.effects ?? []);
+  return Object.entries(effects?.about ?? {}).map(([name, about]) => `${name}${about && `: ${about}`}${acting.has(name) ? '' : ' (not called for)'}`).join('\n');
+}
+
 /** @param {FullProblem} problem */
 export function factsOf(problem) {
   const outputs = problem.outputs.map(outputOf).join(', ');
@@ -45,10 +52,11 @@ export function factsOf(problem) {
   if (problem.file) found.push(['model', problem.file]);
   if (isNumber(problem.duration)) found.push(['motion', joined([`${plain(problem.duration)} s`, isNumber(problem.samples) && counted(problem.samples, 'sample')])]);
   if (outputs) found.push(['compared', outputs]);
-  found.push(['reference', referenceOf(problem.reference)]);
-  found.push(['runs', runsInWords(tally(problem.points))]);
+  if (!isOfEffects(problem)) found.push(['reference', referenceOf(problem.reference)], ['runs', runsInWords(tally(problem.points))]);
   const missing = notRunOf(problem.points);
   if (missing) found.push(['not run', missing]);
+  const effects = effectsOf(problem.effects);
+  if (effects) found.push(['effects', effects]);
   return pairs(found, 'pairs facts');
 }
 

@@ -1,5 +1,6 @@
 // One drawn chart: hints under the pointer, and the same by arrow keys.
 
+import {sizeAt} from '../charts/frame.js';
 import {init} from '../echarts.js';
 import {el, pairs} from './dom.js';
 
@@ -20,9 +21,9 @@ export class Plot {
   draw(picture, title, width) {
     this.picture = picture;
     this.at = -1;
-    this.element.style.height = `${picture.height ?? 360}px`;
     this.element.setAttribute('aria-label', `${title}. ${picture.takeaway} ${k_keys}`);
-    const size = {width: width ?? (this.element.clientWidth || 640), height: picture.height ?? 360};
+    const size = sizeAt(picture, width ?? (this.element.clientWidth || 640));
+    this.element.style.height = `${size.height}px`;
     this.chart ??= init(this.element, undefined, {renderer: 'svg', ...size});
     this.chart.resize(size);
     picture.option.tooltip.formatter = (/** @type {any} */ {data}) => hint(picture, data);
@@ -32,7 +33,9 @@ export class Plot {
 
   resize() {
     if (!this.chart || !this.picture || this.element.clientWidth === 0) return;
-    this.chart.resize({width: this.element.clientWidth, height: this.picture.height ?? 360});
+    const size = sizeAt(this.picture, this.element.clientWidth);
+    this.element.style.height = `${size.height}px`;
+    this.chart.resize(size);
     this.picture.arrange?.(this.chart, this.picture.option);
   }
 

@@ -1,6 +1,6 @@
 // All about one problem: facts, motion, filters and charts.
 
-import {chartsOf} from '../charts/all.js';
+import {chartsOf, isOfEffects} from '../charts/all.js';
 import {canPlay, largestReaction} from '../motion/frames.js';
 import {MotionView} from '../motion/view.js';
 import {plain} from '../format.js';
@@ -24,11 +24,11 @@ export class ProblemPage {
     this.motionHeading = el('h3', {tabindex: -1}, 'The motion');
     const heading = el('h2', {tabindex: -1}, problem.name);
     this.headings = new Map(/** @type {[string, HTMLElement][]} */ ([['', heading], ['motion', this.motionHeading], ...this.figures.map(({chart, heading: of}) => [chart.id, of])]));
-    const links = [['motion', 'The motion'], ...charts.map(({id, short}) => [id, short])];
+    const links = [...(isOfEffects(problem) ? [] : [['motion', 'The motion']]), ...charts.map(({id, short}) => [id, short])];
     this.element = el('div', {class: 'problem'}, el('div', {class: 'side'}, sections(link, links), this.filters.element),
       el('div', {class: 'charts'}, el('header', {class: 'intro'}, heading, problem.about ? el('p', {class: 'lead'}, problem.about) : null,
         problem.why ? el('p', {class: 'fault'}, `There is no reference, so no run was measured: ${problem.why}.`) : null, factsOf(problem)),
-        this.motionSection(problem), ...this.figures.map(({element}) => element)));
+        isOfEffects(problem) ? null : this.motionSection(problem), ...this.figures.map(({element}) => element)));
   }
 
   /** @param {FullProblem} problem */

@@ -1,4 +1,4 @@
-#include "sim/study/machine.hpp"
+#include "sim/page/machine.hpp"
 
 #include <fmt/format.h>
 
