@@ -27,8 +27,9 @@ std::string lean_path(const EffectsOptions& options) {
   return (file.parent_path() / (file.stem().string() + ".lean.yaml")).string();
 }
 
-/// Empty: the scene is written in a way in which the key cannot be put.
+/// Empty: the scene is written in a way in which the key cannot be put, or has others in it.
 std::string lean_scene(const EffectsOptions& options, const Workbench& bench, const Measured& chosen) {
+  if (!options.instance.empty()) return "";
   const auto source = cli::read_source(options.file);
   const auto names = in_order(chosen.acting, bench.effects());
   if (gaussgen::is_scene(source)) return scene_with_effects(std::string(source.text()), names);
@@ -75,7 +76,11 @@ int effects(const EffectsOptions& options) {
   if (!options.quiet)
     cli::write_standard_output(fmt::format("wrote {0}.json and {0}.svg{1}\n", output,
                                            lean.empty() ? "" : ", and the scene " + lean_path(options)));
-  if (options.need && lean.empty())
+  if (options.need && !options.instance.empty())
+    cli::remark(fmt::format("no leaner scene is written of one instance; what it needs: effects: [{}]",
+                            fmt::join(in_order(report.chosen->acting, bench.effects()), ", ")),
+                options.messages);
+  else if (options.need && lean.empty())
     cli::warn(fmt::format("'{}' is not written in lines, so no leaner scene is", options.file), options.messages);
   if (!lean.empty() && changes_by_options(options))
     cli::warn("values that options give are not in the leaner scene", options.messages);
