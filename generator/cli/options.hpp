@@ -25,6 +25,7 @@ struct Options {
   std::string output;              ///< folder, "-" for standard output; empty: the working folder
   std::vector<std::string> split;  ///< types of a source file of its own
   std::vector<std::pair<std::string, model::GivenEffects>> variants;  ///< sets of effects by name, a header each
+  std::string instance;  ///< of a scene that has some; empty: all of them
   std::string depfile;
   std::string depfile_target;      ///< empty: the header
   std::vector<std::string> dumps;  ///< stages

@@ -175,8 +175,8 @@ void tell(const FinishedRun& finished) {
                         said(run.drift.velocities));
   if (prepared.regimes) {
     text += "  events  " + events_in_words(run) + "\n";
-    text += fmt::format("  regimes {}, derived{} in {} s\n", run.regimes,
-                        engine == "compiled" ? " and compiled" : "", said(run.regime_seconds));
+    text += fmt::format("  regimes {}, derived{} in {} s\n", run.regimes, engine == "compiled" ? " and compiled" : "",
+                        said(run.regime_seconds));
   }
   text += fmt::format("  wrote   {} ({} rows of {} columns) and {}\n", csv, run.samples,
                       prepared.columns.columns.size() + 1, summary_path(csv));

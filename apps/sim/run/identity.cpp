@@ -54,7 +54,8 @@ std::string identity_of_problem(const PreparedModel& prepared) {
                                         prepared.scene.longest_step.value_or(0));
   std::string effects = prepared.has_effects() ? "effects" : "";
   for (const std::string& name : prepared.effects) effects += " " + name;
-  return gaussgen::support::content_hash(times + effects + without_last_underscores(cpp::print(values)) + prepared.model_text);
+  return gaussgen::support::content_hash(times + effects + without_last_underscores(cpp::print(values)) +
+                                         prepared.model_text);
 }
 
 }  // namespace gausssim

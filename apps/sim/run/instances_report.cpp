@@ -188,13 +188,12 @@ std::string events_csv(const InstancesReport& report) {
   std::vector<Row> rows;
   for (const FinishedRun& run : report.runs) {
     for (const Event& event : run.run.events)
-      rows.push_back({event.t, name_of(run),
-                      fmt::format("{},{},{},{}\n", event.t, name_of(run), event.what, event.impulse)});
+      rows.push_back(
+          {event.t, name_of(run), fmt::format("{},{},{},{}\n", event.t, name_of(run), event.what, event.impulse)});
   }
   // Whatever the order of the instances is.
-  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-    return a.t < b.t || (a.t == b.t && a.instance < b.instance);
-  });
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.t < b.t || (a.t == b.t && a.instance < b.instance); });
   std::string text = "t [s],instance,event,impulse [N*s]\n";
   for (const Row& row : rows) text += row.text;
   return text;

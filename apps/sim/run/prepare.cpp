@@ -28,8 +28,8 @@
 #include "sim/run/jumps.hpp"
 #include "sim/run/number_range.hpp"
 #include "sim/run/scene_values.hpp"
-#include "sim/run/shared_codes.hpp"
 #include "sim/run/setting.hpp"
+#include "sim/run/shared_codes.hpp"
 #include "sim/scene/instances.hpp"
 #include "sim/scene/read_scene.hpp"
 #include "support/error_codes.hpp"
@@ -262,10 +262,10 @@ class Preparation {
     const std::vector<std::string> names = instance_names(scene);
     if (request_.instance.empty()) {
       if (names.empty()) return true;
-      in_scene_.error(code::k_conflicting_keys, scene.instances_place,
-                      "these are several motions, of which this takes one; 'gauss-sim run' takes all of them",
-                      fmt::format("--instance {} takes that one; there are {}", names.front(),
-                                  gaussgen::support::joined(names)));
+      in_scene_.error(
+          code::k_conflicting_keys, scene.instances_place,
+          "these are several motions, of which this takes one; 'gauss-sim run' takes all of them",
+          fmt::format("--instance {} takes that one; there are {}", names.front(), gaussgen::support::joined(names)));
       return false;
     }
     if (const Instance* const found = find_instance(scene, request_.instance)) {
@@ -277,8 +277,9 @@ class Preparation {
     const std::string near = gaussgen::support::did_you_mean(request_.instance, names);
     throw cli::UsageError(fmt::format(
         "--instance: '{}' has no instance{}", request_.file,
-        names.empty() ? "s" : fmt::format(" '{}'; {}", request_.instance,
-                                          near.empty() ? "there are " + gaussgen::support::joined(names) : near)));
+        names.empty() ? "s"
+                      : fmt::format(" '{}'; {}", request_.instance,
+                                    near.empty() ? "there are " + gaussgen::support::joined(names) : near)));
   }
 
   int report(const Diagnostics& found, const Source& source) {

@@ -32,8 +32,8 @@ struct Request {
   bool leaves_large_series_out = false;          ///< where nobody names a method: see k_most_series_operations
   bool leaves_series_out = false;                ///< where nobody names a method: no engine would run them
   std::string form = {};                         ///< one of the scene's `formulations`; empty: the scene itself
-  std::string instance = {};                     ///< one of the scene's `instances`; empty: a scene that has some is refused
-  AmongInstances* among = nullptr;               ///< what the other instances have found; null: it is alone
+  std::string instance = {};        ///< one of the scene's `instances`; empty: a scene that has some is refused
+  AmongInstances* among = nullptr;  ///< what the other instances have found; null: it is alone
   std::optional<gaussgen::support::Source> text = {};  ///< of the file, where it has been read
   /// Changes the model when scene and options have had their say; what it finds is in the text of the scene. May be empty.
   std::function<void(const Scene&, gaussgen::model::Model&, gaussgen::support::Diagnostics&)> adjust = nullptr;
@@ -55,7 +55,7 @@ struct PreparedModel {
   bool acts_in_time = false;        ///< what acts is a function of time, too
   std::string edge;                 ///< a function in what acts that jumps or has a kink; empty: all of it is smooth
   std::array<double, 3> gravity{};  ///< m/s², space: the sum of uniform fields at the start
-  std::size_t code = 0;                   ///< of instances: which of their codes this one has
+  std::size_t code = 0;             ///< of instances: which of their codes this one has
   std::shared_ptr<PluginShelf> plugins;  ///< of instances, which share them; else null
   std::shared_ptr<RegimeSource>
       regimes;               ///< of a model whose contacts, friction or links change their modes; else null

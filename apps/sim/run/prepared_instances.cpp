@@ -42,8 +42,9 @@ void check_times(const std::vector<std::unique_ptr<const PreparedModel>>& all, D
   for (const auto& other : all) {
     const auto differ = [&](const char* key, double a, double b, const std::optional<gaussgen::model::Ast>& given) {
       if (a == b || !given || found.has_errors()) return;
-      const std::string message = fmt::format("'{}' is {:.6g} s for '{}' and {:.6g} s for '{}': instances have the same rows",
-                                              key, a, first.scene.instance, b, other->scene.instance);
+      const std::string message =
+          fmt::format("'{}' is {:.6g} s for '{}' and {:.6g} s for '{}': instances have the same rows", key, a,
+                      first.scene.instance, b, other->scene.instance);
       if (!given->text.empty()) throw cli::UsageError(fmt::format("--{}: {}", key, message));
       found.error(code::k_conflicting_keys, given->span, message, "write it without what differs between them");
     };

@@ -49,8 +49,7 @@ class Run {
     }
     CsvFile file(csv_);
     file.write(earlier ? earlier->table : csv_header(prepared_.columns.columns));
-    const Simulated run =
-        watched_.run([&](const std::string& row) { file.write(row); }, earlier ? &*earlier : nullptr);
+    const Simulated run = watched_.run([&](const std::string& row) { file.write(row); }, earlier ? &*earlier : nullptr);
     // There was no motion at all, so there is no table of one.
     if (!run.why.empty() && run.samples == 0) {
       const bool is_setting = run.outcome == gauss::simulate::Outcome::bad_settings;

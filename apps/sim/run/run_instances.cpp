@@ -37,8 +37,8 @@ class InstancesRun {
     for (const auto& body : bodies_) {
       if (const int code = run(*body); code != cli::k_ok) return code;
     }
-    const bool has_motion = std::any_of(bodies_.begin(), bodies_.end(),
-                                        [](const auto& body) { return body->run.samples > 0; });
+    const bool has_motion =
+        std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return body->run.samples > 0; });
     const std::vector<FinishedRun> finished = finish();
     if (has_motion) write(finished);
     return report(finished);
@@ -70,8 +70,8 @@ class InstancesRun {
 
   /// Rows of some instances without those of the others are no table.
   int run(Body& body) {
-    body.run = body.watched.run(
-        [&](const std::string& row) { body.rows.push_back(row.substr(0, row.size() - 1)); }, nullptr);
+    body.run =
+        body.watched.run([&](const std::string& row) { body.rows.push_back(row.substr(0, row.size() - 1)); }, nullptr);
     if (body.run.was_interrupted) throw Interrupted{};
     if (body.run.outcome != gauss::simulate::Outcome::bad_settings) return cli::k_ok;
     return cli::fail(fmt::format("{}: {}", body.watched.prepared().scene.instance, body.run.why), cli::k_usage_error,

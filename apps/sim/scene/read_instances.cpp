@@ -19,7 +19,7 @@ namespace spec = gaussgen::spec;
 
 /// What one instance may have for itself. Times, rows and number types are those of all: they are the rows of one table.
 const std::vector<std::string>& keys_of_instance() {
-  static const std::vector<std::string> k_keys{"about", "effects", "parameters", "initial", "inputs",       "exact",
+  static const std::vector<std::string> k_keys{"about",   "effects", "parameters", "initial", "inputs",      "exact",
                                                "outputs", "method",  "tolerance",  "step",    "longest_step"};
   return k_keys;
 }

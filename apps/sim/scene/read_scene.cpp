@@ -29,11 +29,10 @@ constexpr long k_most_samples = 100'000'000;
 
 const std::vector<std::string>& keys() {
   static const std::vector<std::string> k_keys{
-      "gauss",     "scene", "about",       "model",        "counts",     "parameters", "initial",
-      "inputs",    "start", "duration",    "every",        "samples",    "outputs",    "method",
-      "tolerance", "error", "step",        "number",       "projection", "strategy",   "engine",
-      "code",      "gain",  "formulation", "formulations", "exact",      "ensemble",   "longest_step", "effects",
-      "instances"};
+      "gauss",        "scene",    "about",      "model",        "counts",  "parameters", "initial",   "inputs",
+      "start",        "duration", "every",      "samples",      "outputs", "method",     "tolerance", "error",
+      "step",         "number",   "projection", "strategy",     "engine",  "code",       "gain",      "formulation",
+      "formulations", "exact",    "ensemble",   "longest_step", "effects", "instances"};
   return k_keys;
 }
 
