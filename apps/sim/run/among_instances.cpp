@@ -14,8 +14,8 @@ using gaussgen::support::Severity;
 
 namespace {
 
-std::string identity_of(const Diagnostic& one, const std::string& file) {
-  return fmt::format("{} {} {} {} {}", file, one.span.begin, one.span.end, one.code, one.message);
+std::string identity_of(const Diagnostic& one) {
+  return fmt::format("{} {} {} {}", one.span.begin, one.span.end, one.code, one.message);
 }
 
 bool is_within(const gaussgen::support::Span& inner, const gaussgen::support::Span& outer) {
@@ -24,28 +24,30 @@ bool is_within(const gaussgen::support::Span& inner, const gaussgen::support::Sp
 
 }  // namespace
 
-Diagnostics AmongInstances::not_yet_said(const Diagnostics& found, bool is_of_scene, const std::string& file,
-                                         gaussgen::support::Span own) {
-  Diagnostics result;
+void AmongInstances::note(const Diagnostics& found, gaussgen::support::Span own) {
   std::set<std::string> of_this_one;
   for (const Diagnostic& one : found.all()) {
-    const std::string identity = identity_of(one, file);
-    const bool waits = is_of_scene && one.severity == Severity::warning && !is_within(one.span, own);
-    if (waits && of_this_one.insert(identity).second) {
-      Waiting& waiting = waiting_[identity];
-      waiting.warning = one;
-      ++waiting.count;
-    } else if (!waits && said_.insert(identity).second) {
-      result.add(one);
-    }
+    const std::string identity = identity_of(one);
+    if (!of_this_one.insert(identity).second) continue;
+    Found& noted = in_scene_[identity];
+    noted.finding = one;
+    ++noted.count;
+    noted.is_own = noted.is_own || one.severity == Severity::error || is_within(one.span, own);
+  }
+}
+
+Diagnostics AmongInstances::in_scene(std::size_t count) const {
+  Diagnostics result;
+  for (const auto& [identity, noted] : in_scene_) {
+    if (noted.is_own || noted.count == count) result.add(noted.finding);
   }
   return result;
 }
 
-Diagnostics AmongInstances::for_all(std::size_t count) const {
+Diagnostics AmongInstances::not_yet_said(const Diagnostics& found) {
   Diagnostics result;
-  for (const auto& [identity, waiting] : waiting_) {
-    if (waiting.count == count) result.add(waiting.warning);
+  for (const Diagnostic& one : found.all()) {
+    if (said_.insert(identity_of(one)).second) result.add(one);
   }
   return result;
 }

@@ -19,13 +19,15 @@ class AmongInstances {
   SharedCodes codes;
   std::shared_ptr<PluginShelf> plugins = std::make_shared<PluginShelf>();
 
-  /// Each mistake once, though each instance has what its scene says. Warnings of the scene's own settings wait for `for_all`: what one instance does not use
-  /// another one may. `file`: that they are of. `own`: what this instance says itself.
-  gaussgen::support::Diagnostics not_yet_said(const gaussgen::support::Diagnostics& found, bool is_of_scene,
-                                              const std::string& file, gaussgen::support::Span own);
+  /// What is found in the scene while one of them is read, of which `own` is what it says itself. It waits for `in_scene`.
+  void note(const gaussgen::support::Diagnostics& found, gaussgen::support::Span own);
 
-  /// Warnings that each of `count` instances has.
-  gaussgen::support::Diagnostics for_all(std::size_t count) const;
+  /// All that `count` of them have found, each once, though each instance has what its scene says. Of the scene's own settings, warnings that each of them has: what
+  /// one does not use another one may.
+  gaussgen::support::Diagnostics in_scene(std::size_t count) const;
+
+  /// Of what is found in a file that they share, what has not been said yet.
+  gaussgen::support::Diagnostics not_yet_said(const gaussgen::support::Diagnostics& found);
 
   /// Whether nobody has said it yet.
   bool is_new(const std::string& remark) { return said_.insert(remark).second; }
@@ -37,13 +39,14 @@ class AmongInstances {
   std::string set_for_nobody(const std::vector<std::string>& sets) const;
 
  private:
-  struct Waiting {
-    gaussgen::support::Diagnostic warning;
+  struct Found {
+    gaussgen::support::Diagnostic finding;
     std::size_t count = 0;
+    bool is_own = false;  ///< of an instance, or wrong for whomever
   };
 
   std::set<std::string> said_, taken_;
-  std::map<std::string, Waiting> waiting_;
+  std::map<std::string, Found> in_scene_;
 };
 
 }  // namespace gausssim

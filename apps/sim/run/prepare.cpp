@@ -79,13 +79,13 @@ Mistakes wrong_bodies(const model::Model& read) {
 
 /// By other values than those of the model's file, which are looked at with it. `of_scene`: what it makes wrong by itself, where there are both.
 void check_bodies(const Scene& scene, const std::vector<std::string>& sets, const Mistakes& of_scene,
-                  const model::Model& read, Diagnostics& diagnostics) {
+                  const model::Model& read, gaussgen::support::Span place, Diagnostics& diagnostics) {
   if (scene.parameters.empty() && sets.empty()) return;
   for (const auto& found : wrong_bodies(read)) {
     const auto is_same = [&](const auto& one) { return one.message == found.message; };
     const bool is_of_scene = sets.empty() || std::any_of(of_scene.begin(), of_scene.end(), is_same);
     if (scene.parameters.empty() || !is_of_scene) throw cli::UsageError("--set: " + found.message);
-    diagnostics.error(found.code, scene.parameters.front().span, found.message, found.hint);
+    diagnostics.error(found.code, place, found.message, found.hint);
   }
 }
 
@@ -284,8 +284,10 @@ class Preparation {
 
   int report(const Diagnostics& found, const Source& source) {
     if (request_.among == nullptr) return cli::report(found, source, request_.messages);
-    cli::report(request_.among->not_yet_said(found, &source == &scene_text_, source.name(), own_), source,
-                request_.messages);
+    if (&source == &scene_text_)
+      request_.among->note(found, own_);
+    else
+      cli::report(request_.among->not_yet_said(found), source, request_.messages);
     cli::MessageOptions silent = request_.messages;
     silent.is_silent = true;
     return cli::report(found, source, silent);
@@ -319,6 +321,7 @@ class Preparation {
   /// What scene and options change in the model.
   void take_values(model::Model& read) {
     const Scene& scene = result_.scene;
+    const bool own_is_to_blame = own_.end > 0 && !is_wrong_without_own(read);
     give_values(scene, read, in_scene_);
     const bool by_both = !scene.parameters.empty() && !request_.sets.empty() && !in_scene_.has_errors();
     const Mistakes of_scene = by_both ? wrong_bodies(read) : Mistakes{};
@@ -326,7 +329,8 @@ class Preparation {
     cli::apply_overrides(sets_, read);
     if (request_.adjust) request_.adjust(scene, read, in_scene_);
     parameters_ = model::parameter_values(read);
-    if (!in_scene_.has_errors()) check_bodies(scene, request_.sets, of_scene, read, in_scene_);
+    if (!in_scene_.has_errors())
+      check_bodies(scene, request_.sets, of_scene, read, place_of_parameters(own_is_to_blame), in_scene_);
     check_range_of_numbers(scene, read, parameters_, in_scene_);
     remarks_ = remarks_on_quaternions(read, parameters_);
     result_.parameters.clear();
@@ -347,6 +351,27 @@ class Preparation {
     if (request_.among == nullptr || is_start_alone_) return;
     key_ = key_of_code(read, options_);
     if (const SharedCode* const known = request_.among->codes.find(key_)) throw KnownCode{*known};
+  }
+
+  bool is_own(const Given& given) const { return given.span.begin >= own_.begin && given.span.end <= own_.end; }
+
+  /// Whether bodies are impossible by what the scene says for all its instances.
+  bool is_wrong_without_own(model::Model read) const {
+    Scene for_all = result_.scene;
+    auto& values = for_all.parameters;
+    values.erase(std::remove_if(values.begin(), values.end(), [&](const Given& one) { return is_own(one); }),
+                 values.end());
+    Diagnostics ignored;
+    give_values(for_all, read, ignored);
+    return !ignored.has_errors() && !wrong_bodies(read).empty();
+  }
+
+  /// Where it is said of impossible bodies that they are: at the first parameter that may have made them so.
+  gaussgen::support::Span place_of_parameters(bool own_is_to_blame) const {
+    const auto& values = result_.scene.parameters;
+    const auto own = std::find_if(values.begin(), values.end(), [&](const Given& one) { return is_own(one); });
+    if (values.empty()) return {};
+    return own_is_to_blame && own != values.end() ? own->span : values.front().span;
   }
 
   /// Among instances, a value for an effect is one for those in which it acts.

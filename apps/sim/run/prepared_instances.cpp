@@ -57,26 +57,48 @@ void check_times(const std::vector<std::unique_ptr<const PreparedModel>>& all, D
 
 }  // namespace
 
-std::optional<PreparedInstances> prepare_instances(const RunOptions& options, const Source& text, int& code) {
-  Diagnostics said_by_each;
-  const Scene scene = read_scene(text, said_by_each).value_or(Scene());
-  PreparedInstances result;
-  result.among = std::make_unique<AmongInstances>();
-  Diagnostics of_all;
-  refuse_error(options, scene, of_all);
-  code = cli::report(of_all, text, options.messages);
+namespace {
+
+/// Each by itself; those that are wrong are missing. Returns an exit code.
+int prepare_each(const RunOptions& options, const Source& text, const Scene& scene, PreparedInstances& result) {
+  int worst = cli::k_ok;
   for (const Instance& one : scene.instances) {
     int own = cli::k_ok;
     auto prepared = prepare_instance(options, one.name.text, text, *result.among, own);
-    if (!prepared && code == cli::k_ok) code = own;
+    if (!prepared && worst == cli::k_ok) worst = own;
     if (prepared) result.all.push_back(std::make_unique<const PreparedModel>(std::move(*prepared)));
   }
-  if (code != cli::k_ok) return std::nullopt;
-  if (const std::string nobody = result.among->set_for_nobody(options.sets); !nobody.empty())
-    throw cli::UsageError(fmt::format("--set {}: it is of an effect that acts for none of the instances", nobody));
-  of_all = result.among->for_all(result.all.size());
-  check_times(result.all, of_all);
-  code = cli::report(of_all, text, options.messages);
+  return worst;
+}
+
+Diagnostics joined(const Diagnostics& first, Diagnostics second) {
+  for (const auto& one : first.all()) second.add(one);
+  return second;
+}
+
+}  // namespace
+
+std::optional<PreparedInstances> prepare_instances(const RunOptions& options, const Source& text, int& code) {
+  Diagnostics said_by_each, of_all;
+  const Scene scene = read_scene(text, said_by_each).value_or(Scene());
+  PreparedInstances result;
+  result.among = std::make_unique<AmongInstances>();
+  const auto say = [&] {
+    return cli::report(joined(of_all, result.among->in_scene(scene.instances.size())), text, options.messages);
+  };
+  try {
+    refuse_error(options, scene, of_all);
+    code = prepare_each(options, text, scene, result);
+    if (code == cli::k_ok) check_times(result.all, of_all);
+    if (const std::string nobody = result.among->set_for_nobody(options.sets); code == cli::k_ok && !nobody.empty())
+      throw cli::UsageError(fmt::format("--set {}: it is of an effect that acts for none of the instances", nobody));
+  } catch (...) {
+    // The command line is wrong, and the scene may be, too.
+    say();
+    throw;
+  }
+  const int of_scene = say();
+  if (code == cli::k_ok) code = of_scene;
   if (code != cli::k_ok) return std::nullopt;
   return result;
 }
