@@ -146,7 +146,8 @@ Options options_of(const Set& set, const Input& input) {
   Options own = input.options;
   PipelineOptions& pipeline = own.pipeline;
   pipeline.choices.effects = set.words;
-  pipeline.name = input.choice.name + "_" + set.first;
+  // Not the name that --instance has: there, defaults are those of the instance.
+  pipeline.name = input.choice.name + "_variants_" + set.first;
   if (!pipeline.name_space.empty()) pipeline.name_space += "::" + set.first;
   pipeline.adjust = [values = set.values](model::Model& model) { give_values(values, model); };
   return own;

@@ -23,14 +23,14 @@ std::string tables_of(const std::vector<InstanceRow>& instances) {
   return arrays + "\ninline constexpr gauss::simulate::AnyInstance instances[] = {\n" + rows + "};\n";
 }
 
-/// `gauss::balls_far_2` for the functions that `gauss::balls_far_1` has.
+/// `gauss::balls_variants_far_2` for the functions that `gauss::balls_variants_far_1` has.
 std::string aliases_of(const std::string& outer, const std::string& scene, const std::vector<Variant>& variants,
                        const std::vector<InstanceRow>& instances) {
   std::string text;
   for (const InstanceRow& one : instances) {
     const Variant& same = variants[one.variant];
     if (one.name == same.name) continue;
-    const std::string own = outer == "gauss" ? scene + "_" + one.name : one.name;
+    const std::string own = outer == "gauss" ? scene + "_variants_" + one.name : one.name;
     text += fmt::format("namespace {} = ::{};\n", own, same.name_space);
   }
   return text.empty() ? "" : fmt::format("namespace {} {{\n{}}}  // namespace {}\n\n", outer, text, outer);
