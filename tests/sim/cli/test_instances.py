@@ -381,6 +381,23 @@ class Ends(Instances):
         self.assertIn("--instance NAME goes on with one of them", said)
 
 
+class ClosedForms(Instances):
+    def test_each_may_have_its_own(self):
+        bodies = {"near": "{effects: [+oil], exact: {x: u*m/c*(1 - exp(-c/m*t))}}", "far": "{exact: {z: h + v*t - g/2*t^2}}", "plain": "{}"}
+        _, summary = self.play(bodies)
+        said = {name: one.get("from_closed_forms", {}) for name, one in summary["instances"].items()}
+        self.assertEqual({name: one.get("output") for name, one in said.items()}, {"near": "x", "far": "z", "plain": None})
+        for name in ("near", "far"):
+            self.assertLess(said[name]["relative"], 1e-8)
+
+    def test_one_that_is_another_motion_is_told_by_the_instance(self):
+        self.write("balls.yaml", scene({"near": "{effects: [+oil]}", "far": "{}"}, more="effects: gravity\nexact: {x: u*t}\n"))
+        result = self.run_it("run", "balls.yaml", "-q")
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.count("is another motion"), 1, result.stderr)
+        self.assertIn("the closed form of 'near.x' is another motion", result.stderr)
+
+
 class OneMotion(Instances):
     """What takes one motion says how to have one."""
 
