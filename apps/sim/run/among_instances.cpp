@@ -4,6 +4,7 @@
 
 #include "cli/assignments.hpp"
 #include "cli/overrides.hpp"
+#include "support/suggest.hpp"
 
 namespace gausssim {
 
@@ -24,22 +25,25 @@ bool is_within(const gaussgen::support::Span& inner, const gaussgen::support::Sp
 
 }  // namespace
 
-void AmongInstances::note(const Diagnostics& found, gaussgen::support::Span own) {
+void AmongInstances::note(const Diagnostics& found, const std::string& instance, gaussgen::support::Span own) {
   std::set<std::string> of_this_one;
   for (const Diagnostic& one : found.all()) {
     const std::string identity = identity_of(one);
     if (!of_this_one.insert(identity).second) continue;
     Found& noted = in_scene_[identity];
     noted.finding = one;
-    ++noted.count;
-    noted.is_own = noted.is_own || one.severity == Severity::error || is_within(one.span, own);
+    noted.instances.push_back(instance);
+    noted.is_own = noted.is_own || is_within(one.span, own);
   }
 }
 
 Diagnostics AmongInstances::in_scene(std::size_t count) const {
   Diagnostics result;
   for (const auto& [identity, noted] : in_scene_) {
-    if (noted.is_own || noted.count == count) result.add(noted.finding);
+    const bool is_of_all = noted.is_own || noted.instances.size() == count;
+    Diagnostic finding = noted.finding;
+    if (!is_of_all) finding.message += fmt::format(", of {}", gaussgen::support::joined(noted.instances));
+    if (is_of_all || finding.severity == Severity::error) result.add(std::move(finding));
   }
   return result;
 }

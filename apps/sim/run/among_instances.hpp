@@ -19,11 +19,11 @@ class AmongInstances {
   SharedCodes codes;
   std::shared_ptr<PluginShelf> plugins = std::make_shared<PluginShelf>();
 
-  /// What is found in the scene while one of them is read, of which `own` is what it says itself. It waits for `in_scene`.
-  void note(const gaussgen::support::Diagnostics& found, gaussgen::support::Span own);
+  /// What is found in the scene while `instance` is read, of which `own` is what it says itself. It waits for `in_scene`.
+  void note(const gaussgen::support::Diagnostics& found, const std::string& instance, gaussgen::support::Span own);
 
-  /// All that `count` of them have found, each once, though each instance has what its scene says. Of the scene's own settings, warnings that each of them has: what
-  /// one does not use another one may.
+  /// All that `count` of them have found, each once, though each instance has what its scene says. What is wrong for some of them names these; warnings are of all, or
+  /// of one: what one does not use of the scene's settings another one may.
   gaussgen::support::Diagnostics in_scene(std::size_t count) const;
 
   /// Of what is found in a file that they share, what has not been said yet.
@@ -41,8 +41,8 @@ class AmongInstances {
  private:
   struct Found {
     gaussgen::support::Diagnostic finding;
-    std::size_t count = 0;
-    bool is_own = false;  ///< of an instance, or wrong for whomever
+    std::vector<std::string> instances;
+    bool is_own = false;  ///< at a place within an instance
   };
 
   std::set<std::string> said_, taken_;

@@ -16,8 +16,6 @@
 #include "ir/graph.hpp"
 #include "mechanics.hpp"
 #include "model/evaluate.hpp"
-#include "model/impossible.hpp"
-#include "model/quaternion_length.hpp"
 #include "pipeline.hpp"
 #include "sim/engine/plugin_text.hpp"
 #include "sim/model/layout.hpp"
@@ -25,6 +23,7 @@
 #include "sim/run/among_instances.hpp"
 #include "sim/run/check_choices.hpp"
 #include "sim/run/exact_columns.hpp"
+#include "sim/run/given_bodies.hpp"
 #include "sim/run/jumps.hpp"
 #include "sim/run/number_range.hpp"
 #include "sim/run/scene_values.hpp"
@@ -64,43 +63,6 @@ std::string hint_for(const std::string& missing) {
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().filename().string());
   const std::string near = gaussgen::support::did_you_mean(path.filename().string(), names);
   return near.empty() ? "paths begin at the folder of the scene" : near;
-}
-
-using Mistakes = std::vector<gaussgen::support::Diagnostic>;
-
-/// Masses and inertias that no body has.
-Mistakes wrong_bodies(const model::Model& read) {
-  Mistakes found;
-  for (auto& one : model::impossible_bodies(read)) {
-    if (one.severity == gaussgen::support::Severity::error) found.push_back(std::move(one));
-  }
-  return found;
-}
-
-/// By other values than those of the model's file, which are looked at with it. `of_scene`: what it makes wrong by itself, where there are both.
-void check_bodies(const Scene& scene, const std::vector<std::string>& sets, const Mistakes& of_scene,
-                  const model::Model& read, gaussgen::support::Span place, Diagnostics& diagnostics) {
-  if (scene.parameters.empty() && sets.empty()) return;
-  for (const auto& found : wrong_bodies(read)) {
-    const auto is_same = [&](const auto& one) { return one.message == found.message; };
-    const bool is_of_scene = sets.empty() || std::any_of(of_scene.begin(), of_scene.end(), is_same);
-    if (scene.parameters.empty() || !is_of_scene) throw cli::UsageError("--set: " + found.message);
-    diagnostics.error(found.code, place, found.message, found.hint);
-  }
-}
-
-/// Initial quaternions that scenes or options give; those of the model's file are looked at with it.
-std::vector<std::string> remarks_on_quaternions(const model::Model& read, const model::Values& values) {
-  std::vector<std::string> remarks;
-  for (const model::Orientation& one : read.orientations) {
-    const auto is_given = [&](const model::Ast& ast) { return ast.span.begin == read.name.span.begin; };
-    const auto length = model::initial_length(one, values);
-    if (!length || std::none_of(one.initial.begin(), one.initial.end(), is_given)) continue;
-    const std::string text = fmt::format("the initial quaternion of '{}' has length {:.4g}", one.name.text, *length);
-    if (*length == 0) throw cli::UsageError(text + ": [1, 0, 0, 0] is no rotation");
-    if (!model::is_length_of_rotation(*length)) remarks.push_back(text + ", and is divided by it");
-  }
-  return remarks;
 }
 
 /// The scene with another description of its motion.
@@ -285,7 +247,7 @@ class Preparation {
   int report(const Diagnostics& found, const Source& source) {
     if (request_.among == nullptr) return cli::report(found, source, request_.messages);
     if (&source == &scene_text_)
-      request_.among->note(found, own_);
+      request_.among->note(found, request_.instance, own_);
     else
       cli::report(request_.among->not_yet_said(found), source, request_.messages);
     cli::MessageOptions silent = request_.messages;
@@ -321,16 +283,15 @@ class Preparation {
   /// What scene and options change in the model.
   void take_values(model::Model& read) {
     const Scene& scene = result_.scene;
-    const bool own_is_to_blame = own_.end > 0 && !is_wrong_without_own(read);
+    GivenBodies bodies(scene, own_);
+    bodies.look_at(read);
     give_values(scene, read, in_scene_);
-    const bool by_both = !scene.parameters.empty() && !request_.sets.empty() && !in_scene_.has_errors();
-    const Mistakes of_scene = by_both ? wrong_bodies(read) : Mistakes{};
+    if (!request_.sets.empty() && !in_scene_.has_errors()) bodies.note_scene(read);
     sets_ = sets_for(read);
     cli::apply_overrides(sets_, read);
     if (request_.adjust) request_.adjust(scene, read, in_scene_);
     parameters_ = model::parameter_values(read);
-    if (!in_scene_.has_errors())
-      check_bodies(scene, request_.sets, of_scene, read, place_of_parameters(own_is_to_blame), in_scene_);
+    if (!in_scene_.has_errors()) bodies.check(read, request_.sets, in_scene_);
     check_range_of_numbers(scene, read, parameters_, in_scene_);
     remarks_ = remarks_on_quaternions(read, parameters_);
     result_.parameters.clear();
@@ -348,30 +309,9 @@ class Preparation {
     result_.span = read_times(scene, parameters_, in_scene_);
     if (in_scene_.has_errors()) throw BadScene{};
     result_.gravity = gravity_of(read, result_.span, parameters_);
-    if (request_.among == nullptr || is_start_alone_) return;
+    if (!looks_for_code_) return;
     key_ = key_of_code(read, options_);
     if (const SharedCode* const known = request_.among->codes.find(key_)) throw KnownCode{*known};
-  }
-
-  bool is_own(const Given& given) const { return given.span.begin >= own_.begin && given.span.end <= own_.end; }
-
-  /// Whether bodies are impossible by what the scene says for all its instances.
-  bool is_wrong_without_own(model::Model read) const {
-    Scene for_all = result_.scene;
-    auto& values = for_all.parameters;
-    values.erase(std::remove_if(values.begin(), values.end(), [&](const Given& one) { return is_own(one); }),
-                 values.end());
-    Diagnostics ignored;
-    give_values(for_all, read, ignored);
-    return !ignored.has_errors() && !wrong_bodies(read).empty();
-  }
-
-  /// Where it is said of impossible bodies that they are: at the first parameter that may have made them so.
-  gaussgen::support::Span place_of_parameters(bool own_is_to_blame) const {
-    const auto& values = result_.scene.parameters;
-    const auto own = std::find_if(values.begin(), values.end(), [&](const Given& one) { return is_own(one); });
-    if (values.empty()) return {};
-    return own_is_to_blame && own != values.end() ? own->span : values.front().span;
   }
 
   /// Among instances, a value for an effect is one for those in which it acts.
@@ -388,10 +328,14 @@ class Preparation {
 
   std::optional<gaussgen::PipelineResult> compiled(Diagnostics& found) {
     const Diagnostics before = in_scene_;
+    looks_for_code_ = request_.among != nullptr;
     while (true) {
       try {
-        return compile(model_text(), options_, found, nullptr);
+        auto result = compile(model_text(), options_, found, nullptr);
+        looks_for_code_ = false;
+        return result;
       } catch (const KnownCode& known) {
+        looks_for_code_ = false;
         in_scene_ = before;
         return by_known_code(known.code, found = {});
       } catch (const model::UnknownCount& unknown) {
@@ -409,7 +353,6 @@ class Preparation {
     gaussgen::PipelineOptions of_start = options_;
     of_start.outputs = {"initial_state"};
     of_start.where_possible.clear();
-    is_start_alone_ = true;
     auto start = compile(model_text(), of_start, found, nullptr);
     if (!start) return std::nullopt;
     options_.where_possible = code.where_possible;
@@ -560,7 +503,7 @@ class Preparation {
   std::vector<std::string> sets_;     ///< of those of the options, what this motion takes
   gaussgen::support::Span own_;       ///< of an instance: what it says itself
   std::string key_;                   ///< of its code
-  bool is_start_alone_ = false;       ///< its code is known
+  bool looks_for_code_ = false;       ///< that another instance was derived with
   std::shared_ptr<const Described> start_;
   std::vector<model::ClosedForm> closed_forms_;
   Switches switches_;

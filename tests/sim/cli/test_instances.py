@@ -11,7 +11,7 @@ import subprocess
 import time
 import unittest
 
-from gauss_sim import PROGRAM, Program
+from gauss_sim import MODELS, PROGRAM, Program
 
 G = 9.81
 
@@ -60,6 +60,7 @@ BODIES = {
     "far_2": ("{initial: {y: 2*aside + h, x_dot: u/3}, parameters: {h: 0.7}}",
               "effects: gravity\nparameters: {u: 4, h: 0.7}\ninitial: {y: 2*aside + h, x_dot: u/3}\n"),
     "afloat": ("{effects: [-gravity], longest_step: 0.1}", "effects: none\nparameters: {u: 4}\nlongest_step: 0.1\n"),
+    "heavy": ("{effects: oil, parameters: {m: 2, c: 0.9}}", "effects: oil\nparameters: {u: 4, m: 2, c: 0.9}\n"),
     "steps": ("{effects: oil, method: rk4, step: 0.01}", "effects: oil\nparameters: {u: 4}\nmethod: rk4\nstep: 0.01\n"),
 }
 HEAD = "gauss: 1\nscene: balls\nmodel: ball.yaml\nduration: 1.5\nsamples: 16\n"
@@ -122,7 +123,8 @@ class SameNumbers(Instances):
     def test_with_folded_and_expanded_code(self):
         for code in ("folded", "expanded"):
             with self.subTest(code):
-                self.check(["near", "plain", "far_1", "far_2"], "--code", code)
+                _, summary = self.check(["near", "plain", "far_1", "far_2", "heavy", "steps"], "--code", code)
+
 
     def test_with_other_outputs(self):
         self.check(["near", "plain", "far_2"], "--outputs", "z,x_ddot,energy.kinetic,mass_matrix")
@@ -148,6 +150,24 @@ class SameNumbers(Instances):
             for name in names:
                 for key in ("steps", "calls", "error_estimate", "drift", "effects"):
                     self.assertEqual(said["instances"][name].get(key), summary["instances"][name].get(key))
+
+
+    def test_shipped_models_do_too(self):
+        """With other values of all parameters and another start: of trees, of loops, and of what rolls."""
+        given = {"double_pendulum": ("{m1: 0.9, m2: 2.1, l1: 0.7}", "{pivot: 0.4}"), "kepler": ("{}", "{}"), "free_top": ("{A: 1.5}", "{}"),
+                 "spring_pendulum": ("{}", "{}"), "sphere_in_cylinder": ("{R: 0.7, m: 0.7}", "{chi: 0.2}"),
+                 "pendulum_cartesian": ("{L: 2}", "{y: -1.6}"), "lagrange_top_euler": ("{}", "{}"), "rolling_disc": ("{}", "{}")}
+        for model, (parameters, initial) in given.items():
+            with self.subTest(model):
+                says = f"parameters: {parameters}\ninitial: {initial}\n"
+                head = f"gauss: 1\nmodel: {MODELS / model}.yaml\nduration: 0.1\nsamples: 4\n"
+                self.write("two.yaml", f"{head}scene: two\ninstances:\n  a: {{}}\n  b: {{parameters: {parameters}, initial: {initial}}}\n")
+                self.write("one.yaml", f"{head}scene: one\n{says}")
+                for scene_of in ("two", "one"):
+                    self.ok("run", f"{scene_of}.yaml", "-q", "--engine", "interpreted")
+                one, two = self.cells("one.csv"), self.cells("two.csv")
+                self.assertEqual({"b." + key: cells for key, cells in one.items() if key != "t"},
+                                 {key: cells for key, cells in two.items() if key.startswith("b.")})
 
 
 class Codes(Instances):
@@ -471,6 +491,14 @@ class Mistakes(Instances):
         said = self.said({"a": "{}", "b": "{}", "c": "{effects: [+oil]}"}, more="effects: [gravity, spinn]\nparameters: {v_x: 3}\n")
         self.assertEqual(said.count("there is no effect 'spinn'"), 1, said)
         self.assertEqual(said.count("v_x"), 2, said)  # the message, and the line
+
+    def test_what_the_scene_says_for_all_may_be_wrong_for_some(self):
+        bodies = {"near": "{effects: [+spin]}", "far_1": "{}", "far_2": "{effects: none}"}
+        said = self.said(bodies, more="effects: gravity\noutputs: [x, wx]\n")
+        self.assertIn("balls.yaml:7:14: error[E024]: the model has no output 'wx', of far_1, far_2", said)
+        self.assertEqual(said.count("error["), 1, said)
+        said = self.said({"near": "{}", "far": "{}"}, more="effects: gravity\noutputs: [x, wq]\n")
+        self.assertIn("the model has no output 'wq'\n", said)
 
     def test_none_and_contradictions(self):
         self.write("balls.yaml", HEAD + "instances: {}\n")
