@@ -178,9 +178,8 @@ int generate_instances(Input& input) {
     const auto result = compiled(own, input.source, dumped, code);
     if (!result) return code;
     if (options.check) say_checked(*result, input.source);
-    const std::string& given = own.pipeline.name_space;
-    variants.push_back(
-        {set.first, result->model_name, given.empty() ? "gauss::" + result->model_name : given, set.effects});
+    // As it is emitted: names of macros and keywords have a '_' there.
+    variants.push_back({set.first, result->model_name, result->tree.name_space, set.effects});
     headers.push_back(result->header);
   }
   if (options.check) return k_ok;

@@ -58,9 +58,8 @@ int generate_variants(Input& input) {
       variants.push_back({variant, same->model_name, same->name_space, result->effects});
       continue;
     }
-    const std::string name_space =
-        own.pipeline.name_space.empty() ? "gauss::" + result->model_name : own.pipeline.name_space;
-    variants.push_back({variant, result->model_name, name_space, result->effects});
+    // As it is emitted: names of macros and keywords have a '_' there.
+    variants.push_back({variant, result->model_name, result->tree.name_space, result->effects});
     files.emplace_back(header_path(options, result->model_name), result->header);
   }
   if (options.check) return k_ok;

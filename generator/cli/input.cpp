@@ -54,11 +54,11 @@ SceneChoice chosen(const SceneChoice& scene, const Options& options) {
   std::vector<std::string> names;
   for (const InstanceOfScene& one : scene.instances) names.push_back(one.name);
   const std::string near = support::did_you_mean(options.instance, names);
-  throw UsageError(fmt::format(
-      "--instance: '{}' has no instance{}", options.model,
-      names.empty()
-          ? "s"
-          : fmt::format(" '{}'; {}", options.instance, near.empty() ? "there are " + support::joined(names) : near)));
+  throw UsageError(fmt::format("--instance: '{}' has no instance{}", options.model,
+                               names.empty()
+                                   ? "s"
+                                   : fmt::format(" '{}'; {}", options.instance,
+                                                 near.empty() ? "there are " + support::joined_first(names) : near)));
 }
 
 /// What is said of an option is said of the value.

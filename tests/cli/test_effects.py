@@ -325,6 +325,15 @@ class Effects(Program):
         # Of an effect that does not act there is no value.
         self.assertIn('values_of_too[] = {{"b_quad", 0.002}, {nullptr, 0}}', text)
 
+    def test_a_namespace_holds_all_of_them(self):
+        # Some compilers have macros called near and far.
+        self.bodies({"near": "{effects: [+newton]}", "far": "{}", "away": "{}"})
+        text = self.ok("balls.yaml", "--namespace", "game", "-o", "-")
+        for name in ("near", "far"):
+            self.assertIn(f"GAUSS_MODEL(model_{name}, ::game::{name}_);", text)
+        self.assertEqual(re.findall(r"^namespace (game[\w:]*) {", text, re.M), ["game::near_", "game::far_", "game", "game::balls_variants"])
+        self.assertIn("namespace away = ::game::far_;", text)
+
     def test_one_body_is_a_scene_of_its_own(self):
         self.bodies({"near": "{effects: [+newton], parameters: {m: 0.3}}", "far": "{}"})
         alone = self.ok("balls.yaml", "--instance", "near", "-o", "-")

@@ -42,7 +42,7 @@ Diagnostics AmongInstances::in_scene(std::size_t count) const {
   for (const auto& [identity, noted] : in_scene_) {
     const bool is_of_all = noted.is_own || noted.instances.size() == count;
     Diagnostic finding = noted.finding;
-    if (!is_of_all) finding.message += fmt::format(", of {}", gaussgen::support::joined(noted.instances));
+    if (!is_of_all) finding.message += fmt::format(", of {}", gaussgen::support::joined_first(noted.instances));
     if (is_of_all || finding.severity == Severity::error) result.add(std::move(finding));
   }
   return result;

@@ -224,10 +224,10 @@ class Preparation {
     const std::vector<std::string> names = instance_names(scene);
     if (request_.instance.empty()) {
       if (names.empty()) return true;
-      in_scene_.error(
-          code::k_conflicting_keys, scene.instances_place,
-          "these are several motions, of which this takes one; 'gauss-sim run' takes all of them",
-          fmt::format("--instance {} takes that one; there are {}", names.front(), gaussgen::support::joined(names)));
+      in_scene_.error(code::k_conflicting_keys, scene.instances_place,
+                      "these are several motions, of which this takes one; 'gauss-sim run' takes all of them",
+                      fmt::format("--instance {} takes that one; there are {}", names.front(),
+                                  gaussgen::support::joined_first(names)));
       return false;
     }
     if (const Instance* const found = find_instance(scene, request_.instance)) {
@@ -241,7 +241,7 @@ class Preparation {
         "--instance: '{}' has no instance{}", request_.file,
         names.empty() ? "s"
                       : fmt::format(" '{}'; {}", request_.instance,
-                                    near.empty() ? "there are " + gaussgen::support::joined(names) : near)));
+                                    near.empty() ? "there are " + gaussgen::support::joined_first(names) : near)));
   }
 
   int report(const Diagnostics& found, const Source& source) {

@@ -23,7 +23,8 @@ using gaussgen::support::Source;
 
 std::string take_one_of(const Scene& scene) {
   const std::vector<std::string> names = instance_names(scene);
-  return fmt::format("--instance {} takes one of them; there are {}", names.front(), gaussgen::support::joined(names));
+  return fmt::format("--instance {} takes one of them; there are {}", names.front(),
+                     gaussgen::support::joined_first(names));
 }
 
 /// A setting is found for one motion.

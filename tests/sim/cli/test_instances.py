@@ -365,6 +365,19 @@ class Ends(Instances):
         self.assertEqual(alone, [(row["t [s]"], row["event"], row["impulse [N*s]"]) for row in rows if row["instance"] == "b"])
         self.assertEqual(self.summary("two.json")["instances"]["b"]["regimes"], self.summary("alone.json")["regimes"])
 
+    def test_regimes_of_one_code_are_compiled_once(self):
+        self.write("bouncing.yaml", BOUNCING)
+        self.write("two.yaml", "gauss: 1\nscene: two\nmodel: bouncing.yaml\nduration: 1\nsamples: 11\n"
+                               "instances:\n  a: {}\n  b: {initial: {z: 2}}\n  c: {parameters: {e: 0.7, m: 3}}\n")
+        counts = []
+        for options in ([], ["--instance", "a"]):
+            cache = self.folder / "cache"
+            shutil.rmtree(cache, ignore_errors=True)
+            self.ok("run", "two.yaml", "-q", *options, env={**os.environ, "XDG_CACHE_HOME": str(cache)})
+            counts.append(len(list((cache / "gauss").glob("*/model.so"))))
+        self.assertEqual(counts[0], counts[1])
+        self.assertEqual(self.summary("two.json")["derivations"], 1)
+
     def test_permuted_they_have_the_same_events(self):
         self.write("bouncing.yaml", BOUNCING)
         head = "gauss: 1\nscene: two\nmodel: bouncing.yaml\nduration: 1\nsamples: 11\ninstances:\n"
@@ -460,6 +473,11 @@ class OneMotion(Instances):
         self.write("balls.yaml", scene({"near": "{parameters: {m: 3}}", "far": "{}"}, more="effects: gravity\n" + vary))
         said = self.refused(1, "ensemble", "balls.yaml", "--instance", "near")
         self.assertIn("the scene's 'ensemble' varies 'm'", said)
+
+    def test_of_many_names_some_are_said(self):
+        self.write("balls.yaml", scene({f"far_{k}": "{}" for k in range(200)}))
+        said = self.refused(1, "advise", "balls.yaml", "--error", "1e-3")
+        self.assertIn("far_10, far_11 and 188 more", said)
 
     def test_names_that_are_not_there(self):
         self.write("balls.yaml", scene({"near": "{}", "far": "{}"}))
