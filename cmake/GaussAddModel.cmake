@@ -1,11 +1,12 @@
 # gauss_add_model(TARGET <target> MODEL <file.yaml> | SCENE <scene.yaml>
-#                 [COUNTS <name>=<number> ...] [EFFECTS <effect> ... | VARIANTS <name>=<effect or mode>,... ...] [REGIME <name>=<mode> ... | REGIME ground ...] [OUTPUTS <function> ...] [SENSITIVITIES <parameter> ...] [FOLD] [NAMESPACE <name>]
+#                 [INSTANCE <name>] [COUNTS <name>=<number> ...] [EFFECTS <effect> ... | VARIANTS <name>=<effect or mode>,... ...] [REGIME <name>=<mode> ... | REGIME ground ...] [OUTPUTS <function> ...] [SENSITIVITIES <parameter> ...] [FOLD] [NAMESPACE <name>]
 #                 [ROUTE paper] [STRATEGY <one>] [PARTS <number>] [SPLIT [<type> ...]] [AS_WRITTEN <rule> ...]
 #                 [CONTRACT off|on|fast] [ALLOW_FAST_MATH])
 #
 # Generates <name>.hpp from a model when <target> is built, and puts it on the include path of the target:
 # #include "<name>.hpp", where <name> is the name that the model file gives, or the scene. With VARIANTS there is a header for each,
-# <name>_<variant>.hpp, and <name>_variants.hpp with a table of them; a variant is a set of effects, a regime (resting=floor=closed), or both. The options are those of gauss-gen, but for the last two: what includes the header is compiled so that a product and a sum are rounded one by one (CONTRACT off), and -ffast-math is
+# <name>_<variant>.hpp, and <name>_variants.hpp with a table of them; a variant is a set of effects, a regime (resting=floor=closed), or both. Of a scene with `instances` there is <name>_variants.hpp alone, with the functions of each
+# set of effects and a table of the instances; INSTANCE makes <name>_<instance>.hpp of one of them. The options are those of gauss-gen, but for the last two: what includes the header is compiled so that a product and a sum are rounded one by one (CONTRACT off), and -ffast-math is
 # refused by the header.
 
 # A count of the model: as it is given, else the number in its text; empty where that is a formula.
@@ -96,6 +97,19 @@ function(_gauss_scene_name scene result)
     set(name "scene_${name}")
   endif()
   set(${result} "${name}" PARENT_SCOPE)
+endfunction()
+
+# Whether the text of a scene has the key `instances`: at the beginning of a line, or in one flow mapping.
+function(_gauss_has_instances text result)
+  string(REGEX REPLACE "([\n \t])#[^\n]*" "\\1" text "\n${text}")
+  set(before "\n")
+  if(text MATCHES "^[ \t\r\n]*{")
+    set(before "[{,][ \t\r\n]*")
+  endif()
+  set(${result} FALSE PARENT_SCOPE)
+  if(text MATCHES "${before}[\"']?instances[\"']?[ \t]*:")
+    set(${result} TRUE PARENT_SCOPE)
+  endif()
 endfunction()
 
 # The path of the model, or an error in our words.
@@ -208,10 +222,10 @@ function(_gauss_set_contraction target visibility contract)
 endfunction()
 
 function(gauss_add_model)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD;ALLOW_FAST_MATH" "TARGET;MODEL;SCENE;NAMESPACE;ROUTE;STRATEGY;PARTS;CONTRACT"
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "FOLD;ALLOW_FAST_MATH" "TARGET;MODEL;SCENE;INSTANCE;NAMESPACE;ROUTE;STRATEGY;PARTS;CONTRACT"
                         "COUNTS;EFFECTS;VARIANTS;REGIME;OUTPUTS;SENSITIVITIES;SPLIT;AS_WRITTEN")
   if(ARG_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, SCENE, COUNTS, EFFECTS, VARIANTS, REGIME, OUTPUTS, "
+    message(FATAL_ERROR "gauss_add_model: not understood: '${ARG_UNPARSED_ARGUMENTS}'; it takes TARGET, MODEL, SCENE, INSTANCE, COUNTS, EFFECTS, VARIANTS, REGIME, OUTPUTS, "
                         "SENSITIVITIES, FOLD, NAMESPACE, ROUTE, STRATEGY, PARTS, SPLIT, AS_WRITTEN, CONTRACT and ALLOW_FAST_MATH")
   endif()
   # SPLIT alone is for double.
@@ -228,6 +242,9 @@ function(gauss_add_model)
   if(ARG_MODEL AND ARG_SCENE)
     message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): a scene names its model: leave MODEL out")
   endif()
+  if(ARG_INSTANCE AND (NOT ARG_SCENE OR ARG_VARIANTS))
+    message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): INSTANCE is one of a SCENE, without VARIANTS")
+  endif()
   if(ARG_EFFECTS AND ARG_VARIANTS)
     message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): each of the VARIANTS has its own effects: leave EFFECTS out")
   endif()
@@ -238,6 +255,9 @@ function(gauss_add_model)
   string(REPLACE "," ";" counts "${counts}")
   if(ARG_SCENE)
     _gauss_scene_name("${model}" name)
+    if(ARG_INSTANCE)
+      set(name "${name}_${ARG_INSTANCE}")
+    endif()
   else()
     _gauss_model_name("${model}" "${counts}" name)
   endif()
@@ -285,7 +305,18 @@ function(gauss_add_model)
     endif()
     list(APPEND options --regime ${mode})
   endforeach()
+  if(ARG_INSTANCE)
+    list(APPEND options --instance ${ARG_INSTANCE})
+  endif()
   set(headers ${name})
+  set(has_table ${ARG_VARIANTS})
+  if(ARG_SCENE AND NOT ARG_INSTANCE AND NOT ARG_VARIANTS)
+    file(READ "${model}" text)
+    _gauss_has_instances("${text}" has_table)
+    if(has_table)
+      set(headers ${name}_variants)
+    endif()
+  endif()
   foreach(variant IN LISTS ARG_VARIANTS)
     if(NOT variant MATCHES "^([A-Za-z][A-Za-z0-9_]*)=")
       message(FATAL_ERROR "gauss_add_model(${ARG_TARGET}): VARIANTS are names with effects or modes, as in far=gravity,air or resting=floor=closed, and not '${variant}'")
@@ -361,7 +392,7 @@ function(gauss_add_model)
   endif()
   target_sources(${ARG_TARGET} PRIVATE "${header}.stamp")
   target_include_directories(${ARG_TARGET} ${visibility} "${folder}")
-  if(ARG_VARIANTS)
+  if(has_table)
     target_link_libraries(${ARG_TARGET} ${visibility} gauss::runtime)
   endif()
   _gauss_set_contraction("${ARG_TARGET}" ${visibility} "${ARG_CONTRACT}")

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <filesystem>
 
+#include "model/fields.hpp"
+#include "model/names.hpp"
 #include "spec/reader.hpp"
 #include "support/error_codes.hpp"
 
@@ -18,7 +20,7 @@ namespace code = support::code;
 class Reader {
  public:
   Reader(const support::Source& source, const spec::Node& root, support::Diagnostics& diagnostics)
-      : source_(source), root_(root), diagnostics_(diagnostics) {}
+      : source_(source), root_(root), diagnostics_(diagnostics), reading_{source, diagnostics, {}} {}
 
   SceneChoice read() {
     const std::filesystem::path file(source_.name());
@@ -30,8 +32,9 @@ class Reader {
       diagnostics_.error(code::k_missing_key, root_.span, "a scene names its model", "write 'model: ball.yaml'");
     }
     read_counts(choice);
-    read_effects(choice);
-    for (const char* const section : {"parameters", "initial", "inputs"}) read_values(section, choice);
+    read_effects(root_, choice.effects);
+    read_values(root_, choice.values);
+    read_instances(choice);
     return choice;
   }
 
@@ -65,26 +68,51 @@ class Reader {
     }
   }
 
-  void read_effects(SceneChoice& choice) const {
-    const spec::Node* const node = spec::find(root_, "effects");
+  static void read_effects(const spec::Node& map, std::vector<PlacedWord>& to) {
+    const spec::Node* const node = spec::find(map, "effects");
     if (node == nullptr) return;
-    const auto take = [&](const spec::Node& word) {
-      choice.effects.push_back(word.scalar.text);
-      choice.places.push_back(word.span);
-    };
-    if (node->kind == spec::NodeKind::scalar) take(*node);
-    for (const spec::Node& word : node->items) take(word);
+    if (node->kind == spec::NodeKind::scalar) to.push_back({node->scalar.text, node->span});
+    for (const spec::Node& word : node->items) to.push_back({word.scalar.text, word.span});
   }
 
-  void read_values(const char* section, SceneChoice& choice) const {
-    const spec::Node* const node = spec::find(root_, section);
-    if (node == nullptr) return;
-    for (const spec::Entry& entry : node->entries) choice.values.emplace_back(entry.key.text, entry.value.scalar.text);
+  static void read_values(const spec::Node& map, std::vector<SceneValue>& to) {
+    for (const char* const section : {"parameters", "initial", "inputs"}) {
+      const spec::Node* const node = spec::find(map, section);
+      if (node == nullptr) continue;
+      for (const spec::Entry& entry : node->entries)
+        to.push_back({entry.key.text, entry.value.scalar.text, entry.key.span, std::string(section) == "initial"});
+    }
+  }
+
+  void read_instances(SceneChoice& choice) {
+    for (const spec::Entry& section : root_.entries) {
+      if (section.key.text != "instances") continue;
+      choice.instances_place = section.key.span;
+      if (!model::expect_map(section.value, section.key.span, "'instances'", reading_)) return;
+      if (section.value.entries.empty())
+        diagnostics_.error(code::k_wrong_count, section.value.span, "there is no instance",
+                           "name some, such as {near: {effects: [+air]}, far: {}}, or leave 'instances' out");
+      for (const spec::Entry& entry : section.value.entries) read_instance(entry, choice);
+    }
+  }
+
+  void read_instance(const spec::Entry& entry, SceneChoice& choice) {
+    InstanceOfScene one{entry.key.text, entry.key.span, {}, {}};
+    if (model::check_name(model::name_of(entry.key), reading_) && one.name == "variants")
+      diagnostics_.error(code::k_reserved_name, one.span, "the table of all of them is called 'variants'",
+                         "choose another name");
+    const bool is_plain = entry.value.kind == spec::NodeKind::empty;
+    if (!is_plain && model::expect_map(entry.value, entry.key.span, fmt::format("instance '{}'", one.name), reading_)) {
+      read_effects(entry.value, one.effects);
+      read_values(entry.value, one.values);
+    }
+    choice.instances.push_back(std::move(one));
   }
 
   const support::Source& source_;
   const spec::Node& root_;
   support::Diagnostics& diagnostics_;
+  model::Reading reading_;
 };
 
 }  // namespace
@@ -99,6 +127,27 @@ bool is_scene(const support::Source& source) {
   const auto root = spec::read_yaml(source, ignored);
   return root && root->kind == spec::NodeKind::map &&
          (spec::find(*root, "model") != nullptr || spec::find(*root, "scene") != nullptr);
+}
+
+const InstanceOfScene* find_instance(const SceneChoice& scene, const std::string& name) {
+  const auto& all = scene.instances;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const InstanceOfScene& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+SceneChoice as_instance(const SceneChoice& scene, const InstanceOfScene& one) {
+  SceneChoice result = scene;
+  result.name += "_" + one.name;
+  result.effects = choice_of_instance(scene.effects, one.effects);
+  auto& values = result.values;
+  const auto is_said_anew = [&](const SceneValue& value) {
+    return std::any_of(one.values.begin(), one.values.end(),
+                       [&](const SceneValue& own) { return own.name == value.name; });
+  };
+  values.erase(std::remove_if(values.begin(), values.end(), is_said_anew), values.end());
+  values.insert(values.end(), one.values.begin(), one.values.end());
+  result.instances.clear();
+  return result;
 }
 
 std::optional<SceneChoice> read_scene_choice(const support::Source& scene, support::Diagnostics& diagnostics) {

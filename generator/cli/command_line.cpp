@@ -42,6 +42,10 @@ class Adder {
                 "both; may be repeated for others: a header for each, and <name>_variants.hpp with a table from "
                 "which a program chooses while it runs")),
         "NAME=LIST");
+    app_.add_option("--instance", options_.instance,
+                    wrapped("one of a scene's instances, as if the scene were that one; else <name>_variants.hpp has "
+                            "all of them, with one set of functions for each set of effects"))
+        ->type_name("NAME");
     add_path("-o,--output", options_.output, "folder for <name>.hpp, or - for standard output", "DIR",
              Argument::folder);
     add_flag("--check", options_.check, "write nothing, only say whether the model is right");

@@ -26,6 +26,7 @@ struct Options {
   std::vector<std::string> split;  ///< types of a source file of its own
   /// By name, a header each: words of effects, and modes of a regime as floor=closed.
   std::vector<std::pair<std::string, std::vector<std::string>>> variants;
+  std::string instance;  ///< of a scene that has some; empty: all of them
   std::string depfile;
   std::string depfile_target;      ///< empty: the header
   std::vector<std::string> dumps;  ///< stages

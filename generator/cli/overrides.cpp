@@ -26,6 +26,19 @@ model::Ast parse_value(const std::string& option, const std::string& text) {
   return *ast;
 }
 
+const std::string* absent_effect_of(const std::string& name, const model::Model& model) {
+  constexpr std::string_view k_rate = "_dot";
+  std::string of = name;
+  const bool is_dot = name.rfind("dot(", 0) == 0 && name.back() == ')';
+  if (is_dot) of = trimmed(name.substr(4, name.size() - 5));
+  const auto& absent = model.words_of_absent_effects;
+  const bool is_rate = !is_dot && of.size() > k_rate.size() && of.substr(of.size() - k_rate.size()) == k_rate;
+  // An effect may mention what the model has: that, and its rate, are there all the same.
+  if (is_rate && model.symbols.count(of) == 0 && absent.count(of) == 0) of.resize(of.size() - k_rate.size());
+  const auto found = absent.find(of);
+  return found == absent.end() || model.symbols.count(of) > 0 ? nullptr : &found->second.front();
+}
+
 namespace {
 
 void refuse_other_symbols(const std::string& option, const model::Ast& ast, const model::Model& model) {

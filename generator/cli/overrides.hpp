@@ -43,6 +43,9 @@ class Overrides {
 /// expression over parameters. All are applied before any is judged by the values of parameters. Throws UsageError.
 void apply_overrides(const std::vector<std::string>& assignments, model::Model& model);
 
+/// The effect that does not act and has what `name` names, as those of `apply_overrides` do. Null: the model has it as it is, or nothing has.
+const std::string* absent_effect_of(const std::string& name, const model::Model& model);
+
 /// Assignments such as theta=2: the acceleration of a free coordinate, an angular velocity component or a speed, a number. By the
 /// names that emitted code has for them. Throws UsageError.
 std::map<std::string, support::Rational> parse_accelerations(const std::vector<std::string>& assignments,

@@ -70,4 +70,10 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string joined_first(const std::vector<std::string>& words) {
+  constexpr std::size_t k_most = 12;
+  if (words.size() <= k_most) return joined(words);
+  return joined({words.begin(), words.begin() + k_most}) + " and " + std::to_string(words.size() - k_most) + " more";
+}
+
 }  // namespace gaussgen::support

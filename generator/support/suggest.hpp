@@ -19,4 +19,7 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 /// "a, b, c".
 std::string joined(const std::vector<std::string>& words);
 
+/// The same of a dozen at most: "a, b, c and 188 more".
+std::string joined_first(const std::vector<std::string>& words);
+
 }  // namespace gaussgen::support

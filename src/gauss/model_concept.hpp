@@ -78,13 +78,13 @@ inline constexpr bool is_model = concept_detail::IsModel<M, S>::value;
     static constexpr const ::gauss::Quantity* parameters = name_space::parameter_table;                               \
     static constexpr const ::gauss::Quantity* inputs = name_space::input_table;                                       \
     template <class S>                                                                                                \
-    GAUSS_FUNCTION static Prepared<S> prepare(const Parameters<S>& parameters) noexcept {                             \
-      return name_space::prepare(parameters);                                                                         \
+    GAUSS_FUNCTION static Prepared<S> prepare(const Parameters<S>& values) noexcept {                                 \
+      return name_space::prepare(values);                                                                             \
     }                                                                                                                 \
     template <class S>                                                                                                \
-    GAUSS_FUNCTION static ::gauss::StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& inputs,        \
+    GAUSS_FUNCTION static ::gauss::StatusOf<S> rhs(const S& t, const State<S>& state, const Inputs<S>& supplied,      \
                                                    const Prepared<S>& prepared, Derivative<S>& derivative) noexcept { \
-      return name_space::rhs(t, state, inputs, prepared, derivative);                                                 \
+      return name_space::rhs(t, state, supplied, prepared, derivative);                                               \
     }                                                                                                                 \
   }
 

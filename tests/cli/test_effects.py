@@ -298,6 +298,90 @@ class Effects(Program):
         self.assertIn("namespace projectile_away = ::gauss::projectile_far;", away)
         self.assertLess(len(away.splitlines()), 20)
 
+    def bodies(self, instances, more="effects: [gravity]\nparameters: {m: 0.2}\n"):
+        (self.folder / "ball.yaml").write_text("\n".join(lines_of(PROJECTILE)))
+        text = "gauss: 1\nscene: balls\nmodel: ball.yaml\n" + more + "instances:\n"
+        (self.folder / "balls.yaml").write_text(text + "".join(f"  {name}: {says}\n" for name, says in instances.items()))
+
+    def test_bodies_of_a_scene_share_the_functions_of_their_effects(self):
+        self.bodies({"near": "{effects: [+newton, +magnus]}", "far": "{}", "away": "{initial: {x: 2*50, 'dot(z)': r}, parameters: {r: 0.04}}",
+                     "too": "{effects: [magnus, gravity, newton], parameters: {b_quad: 0.002, b_lin: 7}}"})
+        self.ok("balls.yaml", "--outputs=rhs,initial_state,project")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["ball.yaml", "balls.yaml", "balls_variants.hpp"])
+        self.assertEqual(self.ok("balls.yaml", "--list-outputs"), "balls_variants.hpp\n")
+        text = (self.folder / "balls_variants.hpp").read_text()
+        # The functions of two sets, as a scene has them that says for itself what the first of each set says.
+        self.assertEqual(re.findall(r"^namespace gauss::(\w+) {", text, re.M), ["balls_variants_near", "balls_variants_far", "balls_variants"])
+        for name, effects in (("near", "gravity, newton, magnus"), ("far", "gravity")):
+            (self.folder / "one.yaml").write_text(
+                f"gauss: 1\nscene: balls_variants_{name}\nmodel: ball.yaml\neffects: [{effects}]\nparameters: {{m: 0.2}}\n")
+            alone = without_provenance(self.ok("one.yaml", "-o", "-", "--outputs=rhs,initial_state,project"))
+            self.assertIn(alone[alone.index("#ifndef"):], text)
+        rows = re.findall(r'^    {"(\w+)", &variants\[(\d)\]', text, re.M)
+        self.assertEqual(rows, [("near", "0"), ("far", "1"), ("away", "1"), ("too", "0")])
+        self.assertIn("namespace balls_variants_too = ::gauss::balls_variants_near;", text)
+        self.assertIn('start_of_away[] = {{"x", 100}, {"z_dot", 0.04}, {nullptr, 0}}', text)
+        self.assertIn('values_of_away[] = {{"r", 0.04}, {nullptr, 0}}', text)
+        # Of an effect that does not act there is no value.
+        self.assertIn('values_of_too[] = {{"b_quad", 0.002}, {nullptr, 0}}', text)
+
+    def test_a_namespace_holds_all_of_them(self):
+        # Some compilers have macros called near and far.
+        self.bodies({"near": "{effects: [+newton]}", "far": "{}", "away": "{}"})
+        text = self.ok("balls.yaml", "--namespace", "game", "-o", "-")
+        for name in ("near", "far"):
+            self.assertIn(f"GAUSS_MODEL(model_{name}, ::game::{name}_);", text)
+        self.assertEqual(re.findall(r"^namespace (game[\w:]*) {", text, re.M), ["game::near_", "game::far_", "game", "game::balls_variants"])
+        self.assertIn("namespace away = ::game::far_;", text)
+
+    def test_one_body_is_a_scene_of_its_own(self):
+        self.bodies({"near": "{effects: [+newton], parameters: {m: 0.3}}", "far": "{}"})
+        alone = self.ok("balls.yaml", "--instance", "near", "-o", "-")
+        self.assertIn("namespace gauss::balls_near {", alone)
+        self.assertIn("S m = S(3) / S(10);", alone)
+        self.assertEqual(self.ok("balls.yaml", "--instance", "near", "--list-outputs"), "balls_near.hpp\n")
+        said = self.run_it("balls.yaml", "--instance", "neat")
+        self.assertEqual((said.returncode, "did you mean 'near'?" in said.stderr), (2, True), said.stderr)
+        said = self.run_it("ball.yaml", "--instance", "near")
+        self.assertEqual((said.returncode, "is a model" in said.stderr), (2, True), said.stderr)
+
+    def test_what_no_value_says_at_run_time_is_a_set_of_its_own(self):
+        self.bodies({"a": "{effects: [+elastic]}"})
+        model = {**CRANE, "parameters": {**CRANE["parameters"]}}
+        formula = next(iter(model["parameters"]))
+        model["parameters"]["twice"] = {"value": f"2*{formula}"}
+        model["quantities"] = {"shown": "twice"}
+        (self.folder / "crane.yaml").write_text("\n".join(lines_of(model)))
+        (self.folder / "cranes.yaml").write_text("gauss: 1\nscene: cranes\nmodel: crane.yaml\ninstances:\n  a: {}\n  b: {parameters: {twice: 3}}\n")
+        text = self.ok("cranes.yaml", "-o", "-")
+        self.assertEqual(re.findall(r'^    {"(\w+)", &variants\[(\d)\]', text, re.M), [("a", "0"), ("b", "1")])
+
+    def test_mistakes_of_bodies_have_their_places(self):
+        self.bodies({"near": "{effects: [+newtn]}", "far": "{initial: {q: 1}, parameters: {m: x}}", "9th": "{}", "variants": "{}"})
+        said = self.run_it("balls.yaml")
+        self.assertEqual(said.returncode, 1)
+        for text in ("balls.yaml:9:3: error[E020]", "balls.yaml:10:3: error[E021]"):
+            self.assertIn(text, said.stderr)
+        self.bodies({"near": "{effects: [+newtn]}", "far": "{initial: {q: 1}, parameters: {m: x}}"})
+        said = self.run_it("balls.yaml")
+        self.assertEqual(said.returncode, 1)
+        for text in ("balls.yaml:7:20: error[E093]: there is no effect 'newtn'", "balls.yaml:8:19: error[E024]: the model has no 'q'",
+                     "balls.yaml:8:39: error[E024]"):
+            self.assertIn(text, said.stderr)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["ball.yaml", "balls.yaml"])
+        self.bodies({"near": "{}", "far": "{}"}, more="effects: [gravty]\nparameters: {mm: 2}\n")
+        self.assertEqual(self.run_it("balls.yaml").stderr.count("gravty'"), 1)
+        self.bodies({"near": "{}"})
+        for options in (["--split", "double"], ["--dump", "model"]):
+            self.assertIn("--instance NAME takes one of them", self.run_it("balls.yaml", *options).stderr)
+
+    def test_values_for_effects_that_do_not_act_are_passed_over(self):
+        (self.folder / "ball.yaml").write_text("\n".join(lines_of(PROJECTILE)))
+        (self.folder / "one.yaml").write_text("gauss: 1\nscene: one\nmodel: ball.yaml\neffects: gravity\nparameters: {b_lin: 2, m: 1}\ninitial: {x_dot: 5}\n")
+        header = self.ok("one.yaml", "-o", "-")
+        self.assertIn("S m = S(1);", header)
+        self.assertIn("S(5)", header)
+
     def test_mistakes_of_variants_name_them(self):
         (self.folder / "ball.yaml").write_text("\n".join(lines_of(PROJECTILE)))
         for said, arguments in {

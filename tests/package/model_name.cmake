@@ -37,3 +37,17 @@ expect_with_counts(row_5_3_of "name: row_$n_$m_of\ncounts: {n: 12, m: 3}\n" k=2 
 expect_with_counts(row_7 "name: row_$n\ncounts: {n: 2*m}\n" m=3 n=7)
 expect_with_counts("" "name: row_$n\ncounts: {n: 2*m}\n" m=3)
 expect_with_counts("" "name: row_$n\n" m=3)
+
+function(expect_instances answer text)
+  _gauss_has_instances("${text}" found)
+  if(NOT found STREQUAL answer)
+    message(SEND_ERROR "instances: '${found}' instead of '${answer}' in\n${text}")
+  endif()
+endfunction()
+
+expect_instances(TRUE "scene: a\ninstances: {near: {}}\n")
+expect_instances(TRUE "scene: a\n\"instances\" :\n  near: {}\n")
+expect_instances(TRUE "{scene: a, instances: {near: {}}}")
+expect_instances(FALSE "scene: a\n# instances: {near: {}}\n")
+expect_instances(FALSE "scene: a\nabout: two, instances: of it\n")
+expect_instances(FALSE "scene: a\nparameters:\n  instances: 3\n")

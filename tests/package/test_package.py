@@ -50,6 +50,40 @@ int main() {
   std::printf("%g\\n", gauss::far_away::Parameters<double>().m);
 }
 """
+DROPS = """gauss: 1
+scene: drops
+model: drop.yaml
+effects: [gravity]
+parameters: {c: 0.25}
+instances:
+  near: {effects: [+air]}
+  far: {}
+  away: {parameters: {m: 7}, initial: {z: 30}}
+"""
+ALL_DROPS = """#include <cstdio>
+#include <vector>
+
+#include "drops_near.hpp"
+#include "drops_variants.hpp"
+
+int main() {
+  using gauss::drops_variants::variants;
+  for (const auto& one : gauss::drops_variants::instances) {
+    gauss::simulate::ChosenModel ball(one);
+    std::vector<double> state(ball.size()), rates(ball.size());
+    if (ball.initial_state(state.data()) != gauss::Status::ok) return 1;
+    if (ball.rhs(0, state.data(), rates.data()) != gauss::Status::ok) return 1;
+    std::printf("%s %d %.8g\\n", one.name, static_cast<int>(one.model - variants), rates[1]);
+  }
+  namespace alone = gauss::drops_near;
+  alone::State<double> state;
+  alone::Derivative<double> rates;
+  const auto prepared = alone::prepare(alone::Parameters<double>());
+  if (alone::initial_state(prepared, state) != gauss::Status::ok) return 1;
+  if (alone::rhs(0., state, alone::Inputs<double>(), prepared, rates) != gauss::Status::ok) return 1;
+  std::printf("alone - %.8g\\n", rates.z_ddot());
+}
+"""
 
 M, LENGTH, G, THETA = 1, 0.8, 9.81, 0.5  # as in the README
 PRINTED = 1e-4  # relative: six digits
@@ -218,6 +252,29 @@ class Package(unittest.TestCase):
         shutil.rmtree(self.build)
         self.edit(call, call.replace("table=closed", "closed"), file="CMakeLists.txt")
         self.assertIn("REGIME is modes of contacts, friction and links, as in floor=closed, or 'ground', and not 'closed'", self.configuring_fails())
+
+    def test_bodies_of_one_scene_share_functions(self):
+        (self.source / "drop.yaml").write_text(DROP, encoding="utf-8")
+        (self.source / "drops.yaml").write_text(DROPS, encoding="utf-8")
+        (self.source / "drops.cpp").write_text(ALL_DROPS, encoding="utf-8")
+        with (self.source / "CMakeLists.txt").open("a", encoding="utf-8") as file:
+            file.write("add_executable(drops drops.cpp)\ngauss_add_model(TARGET drops SCENE drops.yaml)\n"
+                       "gauss_add_model(TARGET drops SCENE drops.yaml INSTANCE near)\n")
+        for generator in [ANY_GENERATOR] + (["Unix Makefiles"] if shutil.which("make") else []):
+            shutil.rmtree(self.build, ignore_errors=True)
+            self.configure(generator)
+            self.make("drops")
+            rows = [line.split() for line in run(self.build / "drops").splitlines()]
+            self.assertEqual([row[0] for row in rows], ["near", "far", "away", "alone"])
+            self.assertEqual([row[1] for row in rows], ["0", "1", "1", "-"])
+            # c v/m - g, and free fall.
+            for row, expected in zip(rows, (0.25 * 4 / 2 - 9.81, -9.81, -9.81, 0.25 * 4 / 2 - 9.81)):
+                self.assertAlmostEqual(float(row[2]), expected, delta=1e-5)
+            self.assertNotIn("Generating", self.make("drops"))
+            self.edit("far: {}", "far: {effects: [+air]}", file="drops.yaml")
+            self.assertIn("Generating", self.make("drops"))
+            self.assertEqual([line.split()[1] for line in run(self.build / "drops").splitlines()], ["0", "0", "1", "-"])
+            self.edit("far: {effects: [+air]}", "far: {}", file="drops.yaml")
 
     def test_a_header_of_a_former_name_is_not_left_for_includes_to_find(self):
         self.configure(ANY_GENERATOR)

@@ -33,8 +33,14 @@ namespace {
 
 namespace cli = gaussgen::cli;
 
+CLI::Option* add_instance(CLI::App* command, std::string& instance) {
+  return command->add_option("--instance", instance, "one of the scene's instances, as if the scene were that one")
+      ->type_name("NAME");
+}
+
 /// Of what is simulated and how, whatever is made of it.
 void add_setting(CLI::App* command, RunOptions& options) {
+  add_instance(command, options.instance);
   command->add_option("--set", options.sets, "another value for a parameter, an input or the start, such as m=2")
       ->type_name("NAME=VALUE")
       ->expected(1)
@@ -182,6 +188,7 @@ void add_study(CLI::App& app, StudyOptions& options) {
           "shown beside them come on top; default 60")
       ->type_name("S")
       ->check(positive());
+  add_instance(study, options.instance);
   study->add_option("--loosest", options.loosest, "first tolerance, default 1e-3")->type_name("E")->check(positive());
   study
       ->add_option("--tightest", options.tightest,

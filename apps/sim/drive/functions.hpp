@@ -113,7 +113,7 @@ struct GainsEntries {
 template <class S>
 struct Functions {
   std::size_t n_q = 0, n_v = 0;
-  std::vector<S> prepared, inputs;
+  std::vector<S> parameters, prepared, inputs;
   std::vector<std::string> units;  ///< of the components of a state
   SeriesEntries series;
   GainsEntries gains;

@@ -31,8 +31,9 @@ std::string lean_path(const EffectsOptions& options, const Workbench& bench) {
   return (file.parent_path() / (file.stem().string() + ".lean.yaml")).string();
 }
 
-/// Empty: the scene is written in a way in which the key cannot be put, or there is no file of the model that a scene could name.
+/// Empty: the scene is written in a way in which the key cannot be put, or has others in it, or there is no file of the model that a scene could name.
 std::string lean_scene(const EffectsOptions& options, const Workbench& bench, const Measured& chosen) {
+  if (!options.instance.empty()) return "";
   const auto source = cli::read_source(options.file);
   const auto names = in_order(chosen.acting, bench.effects());
   if (gaussgen::is_scene(source)) return scene_with_effects(std::string(source.text()), names);
@@ -106,7 +107,12 @@ int effects(const EffectsOptions& options) {
     cli::write_standard_output(fmt::format(
         options.writes_page ? "wrote {0}.json, {0}.svg and {0}.html{1}\n" : "wrote {0}.json and {0}.svg{1}\n", output,
         lean.empty() ? "" : ", and the scene " + lean_path(options, bench)));
-  if (options.need && lean.empty()) cli::warn(why_no_lean_scene(options), options.messages);
+  if (options.need && !options.instance.empty())
+    cli::remark(fmt::format("no leaner scene is written of one instance; what it needs: effects: [{}]",
+                            fmt::join(in_order(report.chosen->acting, bench.effects()), ", ")),
+                options.messages);
+  else if (options.need && lean.empty())
+    cli::warn(why_no_lean_scene(options), options.messages);
   if (!lean.empty() && changes_by_options(options))
     cli::warn("values that options give are not in the leaner scene", options.messages);
   return cli::k_ok;

@@ -15,6 +15,7 @@
 #include "sim/run/in_rows.hpp"
 #include "sim/run/setting.hpp"
 #include "sim/run/settings.hpp"
+#include "sim/scene/instances.hpp"
 #include "sim/scene/read_scene.hpp"
 
 namespace gausssim {
@@ -73,6 +74,10 @@ void choose_what_is_shown(RunOptions& options) {
   Scene scene;
   gaussgen::support::Diagnostics said_later;
   if (gaussgen::is_scene(source)) scene = read_scene(source, said_later).value_or(Scene());
+  if (const Instance* const found = find_instance(scene, options.instance)) {
+    const Instance one = *found;
+    take_instance(one, scene);
+  }
   if (options.outputs.empty() && scene.outputs.empty()) options.outputs = {"state"};
   if (options.effects.empty() && scene.effects.empty()) options.effects = {"all"};
 }

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include "sim/engine/interpreted.hpp"
 #include "sim/engine/result_layouts.hpp"
 #include "sim/model/layout.hpp"
 
@@ -65,6 +66,7 @@ std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model,
   fill("parameters", {parameters.data()});
   fill("inputs", {functions->inputs.data()});
   if (change) change(parameters), change(functions->inputs);
+  functions->parameters = parameters;
   fill("prepare", {parameters.data(), functions->prepared.data()});
   const auto bound = [&](const char* function) {
     Callable<S> found = callable<S>(engine, model, function);
@@ -87,10 +89,29 @@ std::shared_ptr<Functions<S>> bind(const Engine& engine, const Described& model,
   return functions;
 }
 
+namespace {
+
+/// Of code that has no start: interpreted, as all starts are.
+template <class S>
+gauss::Status state_by_start(const Described& start, const Functions<S>& functions, Numbers<S>& state) {
+  const InterpretedEngine engine(start.tree);
+  std::vector<S> prepared = room_for<S>(layout_of(start.tree, "Prepared").size());
+  const Entry prepare = engine.find("prepare", scalar_name<S>());
+  void* const arguments[] = {const_cast<S*>(functions.parameters.data()), prepared.data()};
+  if (prepare) prepare(arguments);
+  Callable<S> found = callable<S>(engine, start, "initial_state");
+  if (!found) return gauss::Status::ok;
+  found.bind(prepared.data(), const_cast<S*>(functions.inputs.data()));
+  return found(S(0), nullptr, state.data());
+}
+
+}  // namespace
+
 template <class S>
 gauss::Status initial_state(const Engine& engine, const Described& model, const Functions<S>& functions,
                             Numbers<S>& state) {
   state.assign(model.size(), S(0));
+  if (model.start) return state_by_start(*model.start, functions, state);
   Callable<S> start = callable<S>(engine, model, "initial_state");
   if (!start) return gauss::Status::ok;
   start.bind(const_cast<S*>(functions.prepared.data()), const_cast<S*>(functions.inputs.data()));

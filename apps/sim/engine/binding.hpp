@@ -17,6 +17,8 @@ namespace gausssim {
 struct Described {
   gaussgen::emit::cpp::File tree;
   gaussgen::emit::Unit unit;
+  /// Of a body that shares its code with others: what was derived for its start, with parameters and inputs in the same order. Null: the tree has the start.
+  std::shared_ptr<const Described> start = nullptr;
 
   std::size_t n_q() const { return unit.configuration.size(); }
   std::size_t n_v() const { return unit.speeds.size(); }

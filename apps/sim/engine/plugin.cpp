@@ -111,6 +111,20 @@ std::string cache_folder() {
   return home != nullptr && *home == '/' ? std::string(home) + "/.cache/gauss" : std::string();
 }
 
+Built PluginShelf::get(const std::string& text, const Toolchain& toolchain, const std::function<bool()>& ends) {
+  const std::scoped_lock lock(mutex_);
+  std::shared_ptr<const Plugin>& known = plugins_[text];
+  if (known) {
+    Built built;
+    built.plugin = known;
+    built.was_cached = true;
+    return built;
+  }
+  Built built = build_plugin(text, toolchain, ends);
+  known = built.plugin;
+  return built;
+}
+
 Built build_plugin(const std::string& text, const Toolchain& toolchain, const std::function<bool()>& ends) {
   const fs::path cache = cache_folder();
   const std::string whole = text + "\n/*\n" + toolchain.identity() + "*/\n";

@@ -2,7 +2,9 @@
 // A compiled model.
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "sim/engine/entry.hpp"
@@ -41,6 +43,17 @@ struct Built {
 /// The plugin of a text, from the cache or compiled now. The cache is $XDG_CACHE_HOME/gauss, else ~/.cache/gauss; what is in it is used only if its text is
 /// the same to the byte.
 Built build_plugin(const std::string& text, const Toolchain& toolchain, const std::function<bool()>& ends);
+
+/// Libraries that bodies of one scene share, by their text: each is looked for once, whether there is a cache or not.
+class PluginShelf {
+ public:
+  /// As build_plugin.
+  Built get(const std::string& text, const Toolchain& toolchain, const std::function<bool()>& ends);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<const Plugin>> plugins_;
+};
 
 /// The folder; empty where there is no home.
 std::string cache_folder();

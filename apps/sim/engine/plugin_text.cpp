@@ -15,8 +15,6 @@ namespace cpp = gaussgen::emit::cpp;
 
 namespace {
 
-bool is_of_start(const std::string& function) { return function.rfind("initial_state", 0) == 0; }
-
 /// What comes from the values in the model's file: the start, and what parameters are if nobody says so.
 void remove_values(cpp::File& tree) {
   std::vector<cpp::Item> kept;
@@ -128,6 +126,8 @@ bool is_for_double(const std::string& function) {
 }
 
 }  // namespace
+
+bool is_of_start(const std::string& function) { return function.rfind("initial_state", 0) == 0; }
 
 void remove_words(cpp::File& tree) {
   const auto is_comment = [](const cpp::Item& item) { return std::holds_alternative<cpp::Comment>(item); };

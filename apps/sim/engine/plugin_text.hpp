@@ -35,6 +35,9 @@ std::string_view gains_runtime();
 /// What __float128 needs.
 std::string_view quad_runtime();
 
+/// Whether a function of the header makes the start.
+bool is_of_start(const std::string& function);
+
 /// Comments of all kinds: they hold values and names, and the hash and the place of a file.
 void remove_words(gaussgen::emit::cpp::File& tree);
 

@@ -73,6 +73,7 @@ int code_of(const EnsembleTold& told, const cli::MessageOptions& messages) {
 
 std::optional<PreparedModel> prepare_varied(const EnsembleOptions& options, std::vector<Placed>& places, int& code) {
   Request request{options.file, options.sets, {}, options.messages};
+  request.instance = options.instance;
   request.adjust = [&](const Scene& scene, gaussgen::model::Model& model, gaussgen::support::Diagnostics& diagnostics) {
     places = vary(scene, model, diagnostics);
     if (!diagnostics.has_errors()) check_draws(*scene.ensemble, places, model, diagnostics);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "cli/exit_codes.hpp"
@@ -91,9 +92,14 @@ std::vector<const TableColumn*> chosen(const std::vector<TableColumn>& table, co
   return result;
 }
 
+/// Of an instance, near.x, which has stopped before others.
+bool ends_early(const TableColumn& column) {
+  return column.name.find('.') != std::string::npos && !column.goes_on && std::isfinite(column.values.front());
+}
+
 void check_numbers(const TableColumn& column, bool may_have_gaps) {
   if (!column.no_number.empty()) throw cli::FileError(column.no_number);
-  if (!may_have_gaps && !column.gap.empty()) throw cli::FileError(column.gap);
+  if (!may_have_gaps && !column.gap.empty() && !ends_early(column)) throw cli::FileError(column.gap);
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ class Reader {
     const auto [stop, error] = std::from_chars(field.data(), end, value);
     const bool is_number = stop == end && !field.empty() && error != std::errc::invalid_argument;
     std::string& why = field.empty() ? column.gap : column.no_number;
+    column.goes_on = column.goes_on || (!field.empty() && !column.gap.empty());
     if (!is_number && why.empty()) why = at_line(fmt::format("'{}' in column '{}' is no number", field, column.name));
     column.values.push_back(value);
   }
@@ -68,8 +69,8 @@ class Reader {
 
 TableColumn column_of(const std::string& header) {
   const std::size_t open = header.rfind(" [");
-  if (open == std::string::npos || header.back() != ']') return {header, "", {}, "", ""};
-  return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3), {}, "", ""};
+  if (open == std::string::npos || header.back() != ']') return {header, "", {}, "", "", false};
+  return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3), {}, "", "", false};
 }
 
 }  // namespace

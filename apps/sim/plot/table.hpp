@@ -12,6 +12,7 @@ struct TableColumn {
   std::vector<double> values;
   std::string no_number;  ///< why it cannot be drawn: a field of it, with its line; empty where all are numbers
   std::string gap;        ///< the same of the first field that is empty; its value is NaN
+  bool goes_on = false;   ///< there is a value behind it
 };
 
 /// The columns of a CSV file with a header (RFC 4180). Throws cli::FileError with file and line where it is none.

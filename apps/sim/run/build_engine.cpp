@@ -52,7 +52,9 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice
   request.scalars = scalars;
   if (prepared.wants_gains) request.usual_rank = usual_rank_of(prepared.model.unit);
   if (uses_quad(request)) toolchain->libraries.push_back("-lquadmath");
-  const Built built = build_plugin(plugin_text(prepared.model.tree, request), *toolchain, ends_now);
+  const std::string text = plugin_text(prepared.model.tree, request);
+  const Built built =
+      prepared.plugins ? prepared.plugins->get(text, *toolchain, ends_now) : build_plugin(text, *toolchain, ends_now);
   if (built.was_ended || Interruption::is_asked_for()) throw_if_ended();
   times = {built.compile_seconds, built.was_cached, {}};
   if (built.plugin) return std::make_unique<CompiledEngine>(built.plugin, std::move(interpreted));

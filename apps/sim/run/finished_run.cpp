@@ -119,12 +119,13 @@ int say_why_it_stops(const FinishedRun& finished, bool has_new_rows, const cli::
   else if (run.outcome == Outcome::too_many_steps && finished.csv != "-" && has_new_rows)
     hint = "--resume goes on from the last row, for as many steps again";
   return cli::fail(
-      fmt::format("the motion of '{}' stops at t = {:.10g}: {}{}", prepared.model.unit.model_name, run.reached, why,
+      fmt::format("the motion of {} stops at t = {:.10g}: {}{}", prepared.in_words(), run.reached, why,
                   run.status == gauss::Status::ok ? "" : std::string(" (status: ") + gauss::name(run.status) + ")"),
       cli::k_motion_stopped, messages, hint);
 }
 
-/// How often each of them was; those that were most often first.
+}  // namespace
+
 std::string events_in_words(const Simulated& run) {
   if (run.events.empty()) return "none";
   std::vector<std::pair<std::string, long>> counts;
@@ -144,8 +145,6 @@ std::string events_in_words(const Simulated& run) {
                         counts[i].second > 1 ? fmt::format(" {} times", counts[i].second) : "");
   return counts.size() > k_most ? text + ", ..." : text;
 }
-
-}  // namespace
 
 void tell(const FinishedRun& finished) {
   const auto& [prepared, setting, engine, run, times, errors, found, asked_before, csv] = finished;

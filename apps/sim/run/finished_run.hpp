@@ -22,6 +22,9 @@ struct FinishedRun {
   std::string csv;           ///< the table; "-": standard output
 };
 
+/// How often each of its events was; those that were most often first.
+std::string events_in_words(const Simulated& run);
+
 /// Some lines on standard output.
 void tell(const FinishedRun& finished);
 

@@ -39,7 +39,9 @@ std::string without_last_underscores(const std::string& text) {
 std::string identity_of(const PreparedModel& prepared) {
   cpp::File tree = prepared.model.tree;
   tree.before.clear();
-  return gaussgen::support::content_hash(cpp::print(tree));
+  // Of a start that was derived by itself.
+  const std::string start = prepared.model.start ? cpp::print(prepared.model.start->tree) : "";
+  return gaussgen::support::content_hash(cpp::print(tree) + start);
 }
 
 std::string identity_of_problem(const PreparedModel& prepared) {

@@ -16,17 +16,20 @@
 #include "ir/graph.hpp"
 #include "mechanics.hpp"
 #include "model/evaluate.hpp"
-#include "model/impossible.hpp"
-#include "model/quaternion_length.hpp"
 #include "pipeline.hpp"
+#include "sim/engine/plugin_text.hpp"
 #include "sim/model/layout.hpp"
 #include "sim/regimes/columns_of_regimes.hpp"
+#include "sim/run/among_instances.hpp"
 #include "sim/run/check_choices.hpp"
 #include "sim/run/exact_columns.hpp"
+#include "sim/run/given_bodies.hpp"
 #include "sim/run/jumps.hpp"
 #include "sim/run/number_range.hpp"
 #include "sim/run/scene_values.hpp"
 #include "sim/run/setting.hpp"
+#include "sim/run/shared_codes.hpp"
+#include "sim/scene/instances.hpp"
 #include "sim/scene/read_scene.hpp"
 #include "support/error_codes.hpp"
 #include "support/files.hpp"
@@ -45,6 +48,11 @@ using gaussgen::support::Source;
 /// What is wrong with a scene shows when its model is read: motions with these values are not asked for.
 struct BadScene {};
 
+/// What another instance was derived with does for this one.
+struct KnownCode {
+  SharedCode code;
+};
+
 /// A model beside the file that is not there, if its name is near; else where it was looked for.
 std::string hint_for(const std::string& missing) {
   const std::filesystem::path path(missing);
@@ -55,43 +63,6 @@ std::string hint_for(const std::string& missing) {
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().filename().string());
   const std::string near = gaussgen::support::did_you_mean(path.filename().string(), names);
   return near.empty() ? "paths begin at the folder of the scene" : near;
-}
-
-using Mistakes = std::vector<gaussgen::support::Diagnostic>;
-
-/// Masses and inertias that no body has.
-Mistakes wrong_bodies(const model::Model& read) {
-  Mistakes found;
-  for (auto& one : model::impossible_bodies(read)) {
-    if (one.severity == gaussgen::support::Severity::error) found.push_back(std::move(one));
-  }
-  return found;
-}
-
-/// By other values than those of the model's file, which are looked at with it. `of_scene`: what it makes wrong by itself, where there are both.
-void check_bodies(const Scene& scene, const std::vector<std::string>& sets, const Mistakes& of_scene,
-                  const model::Model& read, Diagnostics& diagnostics) {
-  if (scene.parameters.empty() && sets.empty()) return;
-  for (const auto& found : wrong_bodies(read)) {
-    const auto is_same = [&](const auto& one) { return one.message == found.message; };
-    const bool is_of_scene = sets.empty() || std::any_of(of_scene.begin(), of_scene.end(), is_same);
-    if (scene.parameters.empty() || !is_of_scene) throw cli::UsageError("--set: " + found.message);
-    diagnostics.error(found.code, scene.parameters.front().span, found.message, found.hint);
-  }
-}
-
-/// Initial quaternions that scenes or options give; those of the model's file are looked at with it.
-std::vector<std::string> remarks_on_quaternions(const model::Model& read, const model::Values& values) {
-  std::vector<std::string> remarks;
-  for (const model::Orientation& one : read.orientations) {
-    const auto is_given = [&](const model::Ast& ast) { return ast.span.begin == read.name.span.begin; };
-    const auto length = model::initial_length(one, values);
-    if (!length || std::none_of(one.initial.begin(), one.initial.end(), is_given)) continue;
-    const std::string text = fmt::format("the initial quaternion of '{}' has length {:.4g}", one.name.text, *length);
-    if (*length == 0) throw cli::UsageError(text + ": [1, 0, 0, 0] is no rotation");
-    if (!model::is_length_of_rotation(*length)) remarks.push_back(text + ", and is divided by it");
-  }
-  return remarks;
 }
 
 /// The scene with another description of its motion.
@@ -195,7 +166,8 @@ gaussgen::PipelineOptions pipeline_options(const Request& request, const Scene& 
 
 class Preparation {
  public:
-  explicit Preparation(const Request& request) : request_(request), scene_text_(cli::read_source(request.file)) {}
+  explicit Preparation(const Request& request)
+      : request_(request), scene_text_(request.text ? *request.text : cli::read_source(request.file)) {}
 
   std::optional<PreparedModel> run(const std::function<void(Scene&)>& change) {
     const auto begin = std::chrono::steady_clock::now();
@@ -214,7 +186,7 @@ class Preparation {
   /// What was found so far; nothing the second time.
   bool report_mistakes() {
     if (!in_scene_.has_errors()) return false;
-    exit_code_ = cli::report(in_scene_, scene_text_, request_.messages);
+    exit_code_ = report(in_scene_, scene_text_);
     in_scene_ = {};
     return true;
   }
@@ -226,6 +198,7 @@ class Preparation {
       std::optional<Scene> scene = read_scene(scene_text_, in_scene_);
       if (scene) result_.scene = std::move(*scene);
     }
+    if (!choose_instance()) return !report_mistakes();
     Scene& scene = result_.scene;
     if (!request_.form.empty()) take_form(request_.form, scene);
     change(scene);
@@ -243,6 +216,43 @@ class Preparation {
     }
     check_forms();
     return !is_scene_ || model_text_ || !report_mistakes();
+  }
+
+  /// False where there are several motions, and one is wanted: nothing can be looked for then.
+  bool choose_instance() {
+    Scene& scene = result_.scene;
+    const std::vector<std::string> names = instance_names(scene);
+    if (request_.instance.empty()) {
+      if (names.empty()) return true;
+      in_scene_.error(code::k_conflicting_keys, scene.instances_place,
+                      "these are several motions, of which this takes one; 'gauss-sim run' takes all of them",
+                      fmt::format("--instance {} takes that one; there are {}", names.front(),
+                                  gaussgen::support::joined_first(names)));
+      return false;
+    }
+    if (const Instance* const found = find_instance(scene, request_.instance)) {
+      const Instance one = *found;
+      own_ = one.extent;
+      take_instance(one, scene);
+      return true;
+    }
+    const std::string near = gaussgen::support::did_you_mean(request_.instance, names);
+    throw cli::UsageError(fmt::format(
+        "--instance: '{}' has no instance{}", request_.file,
+        names.empty() ? "s"
+                      : fmt::format(" '{}'; {}", request_.instance,
+                                    near.empty() ? "there are " + gaussgen::support::joined_first(names) : near)));
+  }
+
+  int report(const Diagnostics& found, const Source& source) {
+    if (request_.among == nullptr) return cli::report(found, source, request_.messages);
+    if (&source == &scene_text_)
+      request_.among->note(found, request_.instance, own_);
+    else
+      cli::report(request_.among->not_yet_said(found), source, request_.messages);
+    cli::MessageOptions silent = request_.messages;
+    silent.is_silent = true;
+    return cli::report(found, source, silent);
   }
 
   /// Each may be chosen, whatever is done now.
@@ -273,13 +283,15 @@ class Preparation {
   /// What scene and options change in the model.
   void take_values(model::Model& read) {
     const Scene& scene = result_.scene;
+    GivenBodies bodies(scene, own_);
+    bodies.look_at(read);
     give_values(scene, read, in_scene_);
-    const bool by_both = !scene.parameters.empty() && !request_.sets.empty() && !in_scene_.has_errors();
-    const Mistakes of_scene = by_both ? wrong_bodies(read) : Mistakes{};
-    cli::apply_overrides(request_.sets, read);
+    if (!request_.sets.empty() && !in_scene_.has_errors()) bodies.note_scene(read);
+    sets_ = sets_for(read);
+    cli::apply_overrides(sets_, read);
     if (request_.adjust) request_.adjust(scene, read, in_scene_);
     parameters_ = model::parameter_values(read);
-    if (!in_scene_.has_errors()) check_bodies(scene, request_.sets, of_scene, read, in_scene_);
+    if (!in_scene_.has_errors()) bodies.check(read, request_.sets, in_scene_);
     check_range_of_numbers(scene, read, parameters_, in_scene_);
     remarks_ = remarks_on_quaternions(read, parameters_);
     result_.parameters.clear();
@@ -297,6 +309,14 @@ class Preparation {
     result_.span = read_times(scene, parameters_, in_scene_);
     if (in_scene_.has_errors()) throw BadScene{};
     result_.gravity = gravity_of(read, result_.span, parameters_);
+    if (!looks_for_code_) return;
+    key_ = key_of_code(read, options_);
+    if (const SharedCode* const known = request_.among->codes.find(key_)) throw KnownCode{*known};
+  }
+
+  /// Among instances, a value for an effect is one for those in which it acts.
+  std::vector<std::string> sets_for(const model::Model& read) {
+    return request_.among == nullptr ? request_.sets : request_.among->sets_for(request_.sets, read);
   }
 
   std::string remark_on_edge() const {
@@ -307,9 +327,17 @@ class Preparation {
   }
 
   std::optional<gaussgen::PipelineResult> compiled(Diagnostics& found) {
+    const Diagnostics before = in_scene_;
+    looks_for_code_ = request_.among != nullptr;
     while (true) {
       try {
-        return compile(model_text(), options_, found, nullptr);
+        auto result = compile(model_text(), options_, found, nullptr);
+        looks_for_code_ = false;
+        return result;
+      } catch (const KnownCode& known) {
+        looks_for_code_ = false;
+        in_scene_ = before;
+        return by_known_code(known.code, found = {});
       } catch (const model::UnknownCount& unknown) {
         refuse_count(unknown);
         found = {};
@@ -318,6 +346,28 @@ class Preparation {
         found = {};
       }
     }
+  }
+
+  /// Only the start is derived, and all is checked that values may make wrong.
+  std::optional<gaussgen::PipelineResult> by_known_code(const SharedCode& code, Diagnostics& found) {
+    gaussgen::PipelineOptions of_start = options_;
+    of_start.outputs = {"initial_state"};
+    of_start.where_possible.clear();
+    auto start = compile(model_text(), of_start, found, nullptr);
+    if (!start) return std::nullopt;
+    options_.where_possible = code.where_possible;
+    result_.code = request_.among->codes.number_of(code);
+    auto result = with_values_of(*start, *code.result);
+    start_ = std::make_shared<Described>(Described{std::move(start->tree), std::move(start->unit)});
+    return result;
+  }
+
+  /// What was derived now is for other instances, too.
+  void keep_code(const gaussgen::PipelineResult& derived) {
+    if (request_.among == nullptr || start_) return;
+    SharedCode code{key_, std::make_shared<gaussgen::PipelineResult>(derived), options_.where_possible,
+                    plugin_header(derived.tree)};
+    result_.code = request_.among->codes.add(std::move(code), may_be_shared(derived, options_));
   }
 
   void refuse_count(const model::UnknownCount& unknown) {
@@ -349,13 +399,14 @@ class Preparation {
     std::optional<gaussgen::PipelineResult> result;
     try {
       result = compiled(found);
-      if (result && leaves_series_out(*result)) result = compiled(found = {});
+      if (result && !start_ && leaves_series_out(*result)) result = compiled(found = {});
+      if (result) keep_code(*result);
     } catch (const BadScene&) {
       check_outputs_of_bad_scene();
     }
     const bool is_bad = report_mistakes();
     if (is_bad && !found.has_errors()) return false;
-    const int code = cli::report(without_empty_outputs(found), model_text(), request_.messages);
+    const int code = report(without_empty_outputs(found), model_text());
     if (!is_bad) exit_code_ = code;
     if (is_bad || !result || code != cli::k_ok) return false;
     return take(std::move(*result));
@@ -364,9 +415,10 @@ class Preparation {
   /// Of the scene itself, once for all its forms.
   void warn() {
     if (request_.form.empty()) remarks_.insert(remarks_.end(), unused_.begin(), unused_.end());
-    if (request_.form.empty() && !in_scene_.all().empty()) cli::report(in_scene_, scene_text_, request_.messages);
+    if (request_.form.empty() && !in_scene_.all().empty()) report(in_scene_, scene_text_);
     for (const std::string& remark : remarks_) {
-      if (!request_.messages.is_silent) cli::warn(remark, request_.messages);
+      const bool is_said = request_.among != nullptr && !request_.among->is_new(remark);
+      if (!request_.messages.is_silent && !is_said) cli::warn(remark, request_.messages);
     }
   }
 
@@ -390,7 +442,7 @@ class Preparation {
   /// Of a model with regimes, from which others are derived on the way.
   void take_regimes() {
     if (!switches_.any()) return;
-    const auto adjust = [scene = result_.scene, sets = request_.sets](model::Model& read) {
+    const auto adjust = [scene = result_.scene, sets = sets_](model::Model& read) {
       Diagnostics ignored;
       give_values(scene, read, ignored);
       cli::apply_overrides(sets, read);
@@ -429,7 +481,8 @@ class Preparation {
     result_.operations = operations_of(compiled, "rhs");
     result_.series_operations = operations_of(compiled, "taylor");
     result_.model_text = model_text().text();
-    result_.model = {std::move(compiled.tree), std::move(compiled.unit)};
+    result_.model = {std::move(compiled.tree), std::move(compiled.unit), start_};
+    if (request_.among != nullptr) result_.plugins = request_.among->plugins;
     take_regimes();
     choose_outputs(result_.model);
     if (report_mistakes()) return false;
@@ -447,6 +500,11 @@ class Preparation {
   model::Values parameters_;
   std::vector<std::string> remarks_;  ///< said once, however often the model is derived
   std::vector<std::string> unused_;   ///< of what options say
+  std::vector<std::string> sets_;     ///< of those of the options, what this motion takes
+  gaussgen::support::Span own_;       ///< of an instance: what it says itself
+  std::string key_;                   ///< of its code
+  bool looks_for_code_ = false;       ///< that another instance was derived with
+  std::shared_ptr<const Described> start_;
   std::vector<model::ClosedForm> closed_forms_;
   Switches switches_;
   PreparedModel result_;

@@ -12,12 +12,15 @@
 #include "cli/messages.hpp"
 #include "model/model.hpp"
 #include "sim/engine/binding.hpp"
+#include "sim/engine/plugin.hpp"
 #include "sim/output/columns.hpp"
 #include "sim/regimes/regime_source.hpp"
 #include "sim/run/times.hpp"
 #include "sim/scene/scene.hpp"
 
 namespace gausssim {
+
+class AmongInstances;
 
 /// What the command line says beside the file.
 struct Request {
@@ -29,6 +32,9 @@ struct Request {
   bool leaves_large_series_out = false;          ///< where nobody names a method: see k_most_series_operations
   bool leaves_series_out = false;                ///< where nobody names a method: no engine would run them
   std::string form = {};                         ///< one of the scene's `formulations`; empty: the scene itself
+  std::string instance = {};        ///< one of the scene's `instances`; empty: a scene that has some is refused
+  AmongInstances* among = nullptr;  ///< what the other instances have found; null: it is alone
+  std::optional<gaussgen::support::Source> text = {};  ///< of the file, where it has been read
   /// Changes the model when scene and options have had their say; what it finds is in the text of the scene. May be empty.
   std::function<void(const Scene&, gaussgen::model::Model&, gaussgen::support::Diagnostics&)> adjust = nullptr;
 };
@@ -49,6 +55,8 @@ struct PreparedModel {
   bool acts_in_time = false;        ///< what acts is a function of time, too
   std::string edge;                 ///< a function in what acts that jumps or has a kink; empty: all of it is smooth
   std::array<double, 3> gravity{};  ///< m/s², space: the sum of uniform fields at the start
+  std::size_t code = 0;             ///< of instances: which of their codes this one has
+  std::shared_ptr<PluginShelf> plugins;  ///< of instances, which share them; else null
   std::shared_ptr<RegimeSource>
       regimes;               ///< of a model whose contacts, friction or links change their modes; else null
   bool wants_gains = false;  ///< the projection `gains` may be asked for
@@ -56,7 +64,14 @@ struct PreparedModel {
   bool has_effects() const { return !known_effects.empty(); }
 
   /// Of the scene, else of the model: names files and problems.
-  const std::string& name() const { return scene.name.empty() ? model.unit.model_name : scene.name; }
+  const std::string& name_of_scene() const { return scene.name.empty() ? model.unit.model_name : scene.name; }
+  /// In messages.
+  std::string in_words() const {
+    const std::string name = "'" + model.unit.model_name + "'";
+    return scene.instance.empty() ? name : "'" + scene.instance + "' of " + name;
+  }
+  /// As the scene, and of an instance its own.
+  std::string name() const { return name_of_scene() + (scene.instance.empty() ? "" : "." + scene.instance); }
 };
 
 /// Throws cli::UsageError for a model whose contacts, friction or links change their modes. `what` does not look for that: "an ensemble".

@@ -79,6 +79,7 @@ void compare(const Json& summary, const std::string& file, const PreparedModel& 
   compare_errors(summary, with, prepared.scene);
   with.text("model", prepared.model.unit.model_name);
   with.text("scene", prepared.scene.name);
+  with.text("instance", prepared.scene.instance);
   with.text("method", setting.method);
   with.text("number", setting.number);
   with.text("projection", name_of(setting.projection));

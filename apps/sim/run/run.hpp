@@ -12,7 +12,8 @@ namespace gausssim {
 
 struct RunOptions {
   std::string file;
-  std::string output;  ///< CSV; empty: <name>.csv in the working folder; "-": standard output
+  std::string instance;  ///< of a scene that has some; empty: `run` takes all of them
+  std::string output;    ///< CSV; empty: <name>.csv in the working folder; "-": standard output
   std::vector<std::string> sets, counts, effects, outputs;
   std::string method, number, projection, strategy, engine, code;  ///< empty: those of the scene
   std::string start, duration, every;                              ///< expressions

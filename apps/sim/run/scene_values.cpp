@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "cli/usage_error.hpp"
 #include "model/evaluate.hpp"
@@ -116,24 +115,11 @@ void ModelValues::check() {
   }
 }
 
-namespace {
-
-/// An effect that does not act and has something of this name: scenes may keep values for effects that they do without.
-const std::string* absent_effect_with(const std::string& name, const model::Model& in) {
-  constexpr std::string_view k_rate = "_dot";
-  const bool is_rate = name.size() > k_rate.size() && name.substr(name.size() - k_rate.size()) == k_rate;
-  const auto& words = in.words_of_absent_effects;
-  auto found = words.find(name);
-  if (found == words.end() && is_rate) found = words.find(name.substr(0, name.size() - k_rate.size()));
-  return found == words.end() || in.symbols.count(name) > 0 ? nullptr : &found->second.front();
-}
-
-}  // namespace
-
 void give_values(const Scene& scene, model::Model& to, gaussgen::support::Diagnostics& diagnostics) {
   ModelValues values(to, diagnostics);
+  // Scenes may keep values for effects that they do without.
   const auto is_absent = [&](const Given& given) {
-    const std::string* const effect = absent_effect_with(given.name, to);
+    const std::string* const effect = cli::absent_effect_of(given.name, to);
     if (effect != nullptr)
       diagnostics.warning(code::k_unused, given.span,
                           fmt::format("'{}' is of the effect '{}', which does not act here", given.name, *effect));

@@ -75,6 +75,12 @@ void apply(const RunOptions& options, Scene& scene, Request& request) {
 
 namespace {
 
+Request request_of(const RunOptions& options) {
+  Request request{options.file, options.sets, {}, options.messages};
+  request.instance = options.instance;
+  return request;
+}
+
 std::optional<PreparedModel> prepare_form_or_scene(const RunOptions& options, Request request, int& code) {
   request.leaves_large_series_out = true;
   const auto change = [&](Scene& scene) {
@@ -88,12 +94,24 @@ std::optional<PreparedModel> prepare_form_or_scene(const RunOptions& options, Re
 
 }  // namespace
 
-std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code) {
-  return prepare_form_or_scene(options, {options.file, options.sets, {}, options.messages}, code);
+std::optional<PreparedModel> prepare_run(const RunOptions& options, int& code,
+                                         std::optional<gaussgen::support::Source> text) {
+  Request request = request_of(options);
+  request.text = std::move(text);
+  return prepare_form_or_scene(options, std::move(request), code);
+}
+
+std::optional<PreparedModel> prepare_instance(const RunOptions& options, const std::string& instance,
+                                              const gaussgen::support::Source& text, AmongInstances& among, int& code) {
+  Request request = request_of(options);
+  request.text = text;
+  request.instance = instance;
+  request.among = &among;
+  return prepare_form_or_scene(options, std::move(request), code);
 }
 
 std::optional<PreparedModel> prepare_form(const RunOptions& options, const std::string& form) {
-  Request request{options.file, options.sets, {}, options.messages};
+  Request request = request_of(options);
   request.messages.is_silent = true;
   request.form = form;
   int ignored = 0;

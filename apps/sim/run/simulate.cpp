@@ -127,6 +127,7 @@ class Simulator {
       regime.model = model;
       regime.columns = columns;
       regime.span = prepared.span;
+      regime.plugins = prepared.plugins;
       EngineTimes times;
       std::string why;
       return build_engine(regime, is_compiled ? EngineChoice::automatic : EngineChoice::interpreted, {scalar}, times,

@@ -46,12 +46,9 @@ Json estimate_json(const Estimate& estimate) {
 
 }  // namespace
 
-std::string summary_of(const FinishedRun& finished) {
+Json how_it_went(const FinishedRun& finished) {
   const auto& [prepared, setting, engine, run, times, errors, found, asked_before, csv] = finished;
-  Json json;
-  json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
-  json["model"] = prepared.model.unit.model_name;
-  if (!prepared.scene.name.empty()) json["scene"] = prepared.scene.name;
+  Json json = Json::object();
   if (prepared.has_effects()) json["effects"] = prepared.effects;
   json["outcome"] = run.was_interrupted               ? "interrupted"
                     : run.outcome == Outcome::running ? "finished"
@@ -97,6 +94,17 @@ std::string summary_of(const FinishedRun& finished) {
                      {"run", run.wall_seconds},
                      {"run_cpu", run.cpu_seconds}};
   if (prepared.regimes) json["seconds"]["regimes"] = run.regime_seconds;
+  return json;
+}
+
+std::string summary_of(const FinishedRun& finished) {
+  const auto& [prepared, setting, engine, run, times, errors, found, asked_before, csv] = finished;
+  Json json;
+  json["tool"] = std::string("gauss-sim ") + gaussgen::k_version;
+  json["model"] = prepared.model.unit.model_name;
+  if (!prepared.scene.name.empty()) json["scene"] = prepared.scene.name;
+  if (!prepared.scene.instance.empty()) json["instance"] = prepared.scene.instance;
+  json.update(how_it_went(finished));
   json["last_state"] = run.last_state;
   json["resume"] = resume_json(prepared, run);
   return json.dump(2) + "\n";

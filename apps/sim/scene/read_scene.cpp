@@ -7,10 +7,11 @@
 #include "model/fields.hpp"
 #include "sim/scene/choices.hpp"
 #include "sim/scene/read_ensemble.hpp"
+#include "sim/scene/read_fields.hpp"
+#include "sim/scene/read_instances.hpp"
 #include "sim/scene/read_numbers.hpp"
 #include "spec/reader.hpp"
 #include "support/error_codes.hpp"
-#include "support/suggest.hpp"
 
 namespace gausssim {
 
@@ -28,16 +29,17 @@ constexpr long k_most_samples = 100'000'000;
 
 const std::vector<std::string>& keys() {
   static const std::vector<std::string> k_keys{
-      "gauss",     "scene", "about",       "model",        "counts",     "parameters", "initial",
-      "inputs",    "start", "duration",    "every",        "samples",    "outputs",    "method",
-      "tolerance", "error", "step",        "number",       "projection", "strategy",   "engine",
-      "code",      "gain",  "formulation", "formulations", "exact",      "ensemble",   "longest_step", "effects"};
+      "gauss",        "scene",    "about",      "model",        "counts",  "parameters", "initial",   "inputs",
+      "start",        "duration", "every",      "samples",      "outputs", "method",     "tolerance", "error",
+      "step",         "number",   "projection", "strategy",     "engine",  "code",       "gain",      "formulation",
+      "formulations", "exact",    "ensemble",   "longest_step", "effects", "instances"};
   return k_keys;
 }
 
 class SceneReader {
  public:
-  SceneReader(const spec::Node& root, model::Reading& reading) : root_(root), reading_(reading) {}
+  SceneReader(const spec::Node& root, model::Reading& reading)
+      : root_(root), reading_(reading), fields_(root, root.span, reading) {}
 
   Scene read() {
     model::check_keys(root_, k_where, keys(), reading_);
@@ -48,33 +50,34 @@ class SceneReader {
       if (model::expect_scalar(*file, root_.span, "'model'", reading_)) scene_.model = {file->scalar.text, file->span};
     }
     read_counts();
-    read_effects();
-    read_given(root_, "parameters", scene_.parameters);
-    read_given(root_, "initial", scene_.initial);
-    read_given(root_, "inputs", scene_.inputs);
-    read_given(root_, "exact", scene_.exact);
+    fields_.effects(scene_.effects);
+    fields_.given("parameters", scene_.parameters);
+    fields_.given("initial", scene_.initial);
+    fields_.given("inputs", scene_.inputs);
+    fields_.given("exact", scene_.exact);
     scene_.start = model::expression_field(root_, "start", reading_);
     scene_.duration = model::expression_field(root_, "duration", reading_);
     scene_.every = model::expression_field(root_, "every", reading_);
     read_samples();
-    read_outputs();
-    scene_.method = choice(root_, "method", method_names());
-    scene_.number = choice(root_, "number", number_names());
-    scene_.projection = choice(root_, "projection", projection_names());
-    scene_.strategy = choice(root_, "strategy", strategy_names());
-    scene_.code = choice(root_, "code", code_names());
-    scene_.engine = choice(root_, "engine", engine_names());
-    scene_.tolerance = positive("tolerance");
+    fields_.outputs(scene_.outputs);
+    scene_.method = fields_.choice("method", method_names());
+    scene_.number = fields_.choice("number", number_names());
+    scene_.projection = fields_.choice("projection", projection_names());
+    scene_.strategy = fields_.choice("strategy", strategy_names());
+    scene_.code = fields_.choice("code", code_names());
+    scene_.engine = fields_.choice("engine", engine_names());
+    scene_.tolerance = fields_.positive("tolerance", scene_.places);
     read_error();
-    scene_.step = positive("step");
-    scene_.longest_step = positive("longest_step");
-    scene_.gain = positive("gain");
+    scene_.step = fields_.positive("step", scene_.places);
+    scene_.longest_step = fields_.positive("longest_step", scene_.places);
+    scene_.gain = fields_.positive("gain", scene_.places);
     if (const spec::Node* const ensemble = spec::find(root_, "ensemble"))
       scene_.ensemble = read_ensemble(*ensemble, root_, reading_);
-    refuse_pair("every", "samples");
-    refuse_pair("tolerance", "error");
-    refuse_pair("step", "error");
+    fields_.refuse_pair("every", "samples");
+    fields_.refuse_pair("tolerance", "error");
+    fields_.refuse_pair("step", "error");
     read_forms();
+    read_instances(root_, scene_, reading_);
     return std::move(scene_);
   }
 
@@ -112,20 +115,6 @@ class SceneReader {
     });
   }
 
-  /// One word, or a list of them.
-  void read_effects() {
-    const spec::Node* const node = spec::find(root_, "effects");
-    if (node == nullptr) return;
-    if (node->kind == spec::NodeKind::scalar) return scene_.effects.push_back({node->scalar.text, node->span});
-    if (!model::expect_list(*node, root_.span, "'effects'", reading_)) return;
-    if (node->items.empty())
-      error(code::k_wrong_count, node->span, "there is no effect in the list", "write 'effects: none' for none at all");
-    for (const spec::Node& item : node->items) {
-      if (model::expect_scalar(item, node->span, "an effect", reading_))
-        scene_.effects.push_back({item.scalar.text, item.span});
-    }
-  }
-
   void read_forms() {
     if (const std::string own = model::text_field(root_, "formulation", reading_); !own.empty()) scene_.form = own;
     model::read_section(root_, "formulations", reading_, [&](const spec::Entry& entry) {
@@ -140,29 +129,19 @@ class SceneReader {
       if (const spec::Node* const file = spec::find(entry.value, "model");
           file != nullptr && model::expect_scalar(*file, entry.key.span, "'model'", reading_))
         form.model = Word{file->scalar.text, file->span};
-      form.strategy = choice(entry.value, "strategy", strategy_names());
-      read_given(entry.value, "parameters", form.parameters);
-      read_given(entry.value, "initial", form.initial);
+      FieldReader fields(entry.value, entry.value.span, reading_);
+      form.strategy = fields.choice("strategy", strategy_names());
+      fields.given("parameters", form.parameters);
+      fields.given("initial", form.initial);
       scene_.forms.push_back(std::move(form));
     });
   }
 
-  void read_given(const spec::Node& in, const std::string& section, std::vector<Given>& all) {
-    model::read_section(in, section, reading_, [&](const spec::Entry& entry) {
-      all.push_back({entry.key.text, model::read_expression(entry.value, entry.key.span, reading_), entry.key.span});
-    });
-  }
-
   void read_error() {
-    scene_.error = positive("error");
+    scene_.error = fields_.positive("error", scene_.places);
     if (scene_.error && *scene_.error >= 1)
       error(code::k_out_of_range, scene_.places["error"],
             "an error of 1 is the whole range of an output: it is below 1", "such as error: 1e-6");
-  }
-
-  std::optional<double> positive(const std::string& key) {
-    if (const spec::Node* const node = spec::find(root_, key)) scene_.places[key] = node->span;
-    return numbers_.positive(root_, key);
   }
 
   void read_samples() {
@@ -171,40 +150,9 @@ class SceneReader {
     if (const auto number = numbers_.whole(*node, node->span, 2, k_most_samples, 501)) scene_.samples = *number;
   }
 
-  void read_outputs() {
-    const spec::Node* const list = spec::find(root_, "outputs");
-    if (list == nullptr || !model::expect_list(*list, root_.span, "'outputs'", reading_)) return;
-    if (list->items.empty())
-      error(code::k_wrong_count, list->span, "there is no output in the list",
-            "name some, or leave 'outputs' out: the table has the state and the energy then");
-    for (const spec::Node& item : list->items) {
-      if (!model::expect_scalar(item, list->span, "an output", reading_)) continue;
-      scene_.outputs.push_back({item.scalar.text, item.span});
-    }
-  }
-
-  std::optional<Word> choice(const spec::Node& in, const std::string& key, const std::vector<std::string>& words) {
-    const spec::Node* const node = spec::find(in, key);
-    if (node == nullptr || !model::expect_scalar(*node, in.span, "'" + key + "'", reading_)) return std::nullopt;
-    const std::string& word = node->scalar.text;
-    for (const std::string& known : words) {
-      if (known == word) return Word{word, node->span};
-    }
-    const std::string near = gaussgen::support::did_you_mean(word, words);
-    error(code::k_unknown_word, node->span, fmt::format("there is no {} '{}'", key, word),
-          near.empty() ? "there are " + gaussgen::support::joined(words) : near);
-    return std::nullopt;
-  }
-
-  void refuse_pair(const std::string& first, const std::string& second) {
-    const spec::Node* const both = spec::find(root_, second);
-    if (both == nullptr || spec::find(root_, first) == nullptr) return;
-    error(code::k_conflicting_keys, both->span, fmt::format("'{}' and '{}' exclude each other", first, second),
-          "leave one of the two out");
-  }
-
   const spec::Node& root_;
   model::Reading& reading_;
+  FieldReader fields_;
   Scene scene_;
   NumberReader numbers_{reading_};
 };

@@ -43,6 +43,19 @@ struct GivenForm {
       initial;  ///< beside those of the scene, if the model is the same; else instead of them
 };
 
+/// One of several bodies of the scene's model. What it does not say is as in the scene.
+struct Instance {
+  Word name;
+  gaussgen::support::Span extent;  ///< of all that it says
+  std::string about;
+  std::vector<Word> effects;  ///< on top of those of the scene (gaussgen::choice_of_instance)
+  std::vector<Given> parameters, initial, inputs, exact;
+  std::vector<Word> outputs;
+  std::optional<Word> method;
+  std::optional<double> tolerance, step, longest_step;
+  std::map<std::string, gaussgen::support::Span> places;  ///< of the values of these numbers
+};
+
 struct Scene {
   std::string name, about;
   Word model;                     ///< file, beside that of the scene
@@ -59,6 +72,9 @@ struct Scene {
   std::optional<double> tolerance, error, step, longest_step, gain;
   std::map<std::string, gaussgen::support::Span> places;  ///< of the values of these numbers; options have none
   std::optional<Ensemble> ensemble;
+  std::vector<Instance> instances;          ///< each moves by itself; none: the scene is one motion
+  gaussgen::support::Span instances_place;  ///< of the key
+  std::string instance;                     ///< which of them this scene has become; empty: none
 };
 
 /// Whether the scene leaves it to us.

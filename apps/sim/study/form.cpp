@@ -48,8 +48,8 @@ std::string with_numbered_names(const std::string& text) {
 
 class Collector {
  public:
-  Collector(std::string file, const cli::MessageOptions& messages, int& code)
-      : file_(std::move(file)), messages_(messages), code_(code) {}
+  Collector(std::string file, std::string instance, const cli::MessageOptions& messages, int& code)
+      : file_(std::move(file)), instance_(std::move(instance)), messages_(messages), code_(code) {}
 
   std::vector<Form> all(bool is_alone) {
     Request own = request();
@@ -76,6 +76,7 @@ class Collector {
   Request request() const {
     Request request{file_, {}, {}, messages_};
     request.where_possible = welcome_outputs();
+    request.instance = instance_;
     return request;
   }
 
@@ -175,7 +176,7 @@ class Collector {
     if (form.why.empty()) form.engine = std::move(engine);
   }
 
-  std::string file_;
+  std::string file_, instance_;
   const cli::MessageOptions& messages_;
   int& code_;
   std::vector<Form> forms_;
@@ -184,8 +185,9 @@ class Collector {
 
 }  // namespace
 
-std::vector<Form> forms_of(const std::string& file, bool is_alone, const cli::MessageOptions& messages, int& code) {
-  return Collector(file, messages, code).all(is_alone);
+std::vector<Form> forms_of(const std::string& file, const std::string& instance, bool is_alone,
+                           const cli::MessageOptions& messages, int& code) {
+  return Collector(file, instance, messages, code).all(is_alone);
 }
 
 }  // namespace gausssim

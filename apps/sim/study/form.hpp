@@ -41,8 +41,8 @@ struct Form {
   bool is_of_scene = false;  ///< one of its `formulations`
 };
 
-/// The scene itself first, and `is_alone` nothing else. Forms of one text are there once. Nothing after an error, which is reported: `code` is the exit code. Throws as `prepare`, and Interrupted.
-std::vector<Form> forms_of(const std::string& file, bool is_alone, const gaussgen::cli::MessageOptions& messages,
-                           int& code);
+/// The scene itself, or its `instance`, first, and `is_alone` nothing else. Forms of one text are there once. Nothing after an error, which is reported: `code` is the exit code. Throws as `prepare`, and Interrupted.
+std::vector<Form> forms_of(const std::string& file, const std::string& instance, bool is_alone,
+                           const gaussgen::cli::MessageOptions& messages, int& code);
 
 }  // namespace gausssim

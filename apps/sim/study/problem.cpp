@@ -267,7 +267,7 @@ class Solver {
 
 std::optional<StudyProblem> solve_problem(const std::string& file, const StudyOptions& options, int& code) {
   StudyProblem problem;
-  problem.forms = forms_of(file, !options.methods.empty(), options.messages, code);
+  problem.forms = forms_of(file, options.instance, !options.methods.empty(), options.messages, code);
   if (problem.forms.empty()) return std::nullopt;
   const PreparedModel& model = problem.forms.front().model;
   problem.name = model.name();

@@ -72,6 +72,7 @@ int check_files(const StudyOptions& options) {
   int worst = cli::k_ok;
   for (const std::string& file : options.files) {
     Request request{file, {}, {}, options.messages};
+    request.instance = options.instance;
     const auto code_of = [&](bool is_silent) {
       request.messages.is_silent = is_silent;
       int code = cli::k_ok;

@@ -10,6 +10,7 @@ namespace gausssim {
 
 struct StudyOptions {
   std::vector<std::string> files;       ///< scenes or models, a problem each
+  std::string instance;                 ///< of each of them; empty: they have none
   std::string output = "study";         ///< path without its ending: .json, .csv, .html
   std::vector<std::string> methods;     ///< these alone; empty: all, and all else that there is to vary
   double budget = 60;                   ///< s for each problem

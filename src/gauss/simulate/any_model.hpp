@@ -47,6 +47,20 @@ struct AnyModel {
   Status (*guards)(double t, const double* state, const double* inputs, const void* prepared, double* values);
 };
 
+/// A value by the name of a parameter, an input or a component of the state. Arrays of them end with a null name.
+struct GivenValue {
+  const char* name;
+  double value;
+};
+
+/// One of several bodies of a scene (gauss-gen SCENE with `instances`): its functions, which others may share, and the values that are its own.
+struct AnyInstance {
+  const char* name;
+  const AnyModel* model;
+  const GivenValue* values;  ///< of parameters and inputs
+  const GivenValue* start;   ///< of components of the initial state
+};
+
 namespace detail {
 
 // Found through the namespace of Prepared.
@@ -184,9 +198,23 @@ inline int find_guard(const AnyModel& model, const char* name) {
   return -1;
 }
 
+template <std::size_t n>
+const AnyInstance* find_instance(const AnyInstance (&instances)[n], const char* name) {
+  for (const AnyInstance& instance : instances) {
+    if (std::strcmp(instance.name, name) == 0) return &instance;
+  }
+  return nullptr;
+}
+
 /// One of them with its parameters and inputs.
 class ChosenModel {
  public:
+  /// With the values and the start of that body. `instance` outlives this.
+  explicit ChosenModel(const AnyInstance& instance) : ChosenModel(*instance.model) {
+    start_ = instance.start;
+    for (const GivenValue* given = instance.values; given->name != nullptr; ++given) set(given->name, given->value);
+  }
+
   /// `model` outlives this.
   explicit ChosenModel(const AnyModel& model)
       : model_(&model),
@@ -212,7 +240,16 @@ class ChosenModel {
     return input != nullptr;
   }
 
-  Status initial_state(double* state) const { return model_->initial_state(prepared_.data(), state); }
+  /// Of an instance, components that are its own have these values, whatever its parameters are.
+  Status initial_state(double* state) const {
+    const Status status = model_->initial_state(prepared_.data(), state);
+    if (start_ == nullptr || start_->name == nullptr) return status;
+    for (const GivenValue* given = start_; given->name != nullptr; ++given) {
+      if (double* const component = component_of(state, given->name)) *component = given->value;
+    }
+    const Status projected = project(0, state);  // quaternions have length 1
+    return status == Status::ok ? projected : status;
+  }
   Status rhs(double t, const double* state, double* rates) const {
     return model_->rhs(t, state, inputs_.data(), prepared_.data(), rates);
   }
@@ -230,7 +267,16 @@ class ChosenModel {
     return nullptr;
   }
 
+  double* component_of(double* state, const char* name) const {
+    for (int i = 0; i < model_->n_q + model_->n_v; ++i) {
+      const Quantity& one = i < model_->n_q ? model_->coordinates[i] : model_->speeds[i - model_->n_q];
+      if (std::strcmp(one.name, name) == 0) return state + i;
+    }
+    return nullptr;
+  }
+
   const AnyModel* model_;
+  const GivenValue* start_ = nullptr;
   std::vector<double> parameters_, inputs_;
   std::vector<double> prepared_;
 };

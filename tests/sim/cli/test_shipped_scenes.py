@@ -462,5 +462,33 @@ class ThrownBall(Scene):
         self.near(table["z"], [1.8 + 9 * t - a / 2 * t * t for t in table["t"]], 1e-10)
 
 
+class BallsNearAndFar(Scene):
+    m, c, k = 0.145, 1e-3, 1e-4
+
+    def test_the_near_one_feels_air_and_spin(self):
+        table = self.play("balls_near_and_far")
+
+        def rates(_, q):
+            speed = math.sqrt(q[3] ** 2 + q[4] ** 2 + q[5] ** 2)
+            drag, p = self.c / self.m * speed, self.k * -150 / self.m
+            return [*q[3:], -drag * q[3] + p * q[5], -drag * q[4], -drag * q[5] - p * q[3] - G]
+
+        end = integrated(rates, [0, 0, 1.8, 30, 0, 9], 0, 2, 2000)
+        self.near([table["near." + name][-1] for name in ("x", "y", "z", "x_dot", "y_dot", "z_dot")], end, 1e-9)
+
+    def test_those_far_away_fly_along_parabolas(self):
+        table = self.play("balls_near_and_far")
+        for name, place, speed in (("far_1", (80, 40, 1.8), (30, 0, 9)), ("far_2", (90, -25, 1.8), (24, 0, 12)), ("far_3", (120, 10, 2.4), (30, -6, 9))):
+            for axis, x, v, a in zip("xyz", place, speed, (0, 0, -G)):
+                self.near(table[f"{name}.{axis}"], [x + v * t + a / 2 * t * t for t in table["t"]], 1e-11)
+                self.near(table[f"{name}.{axis}_dot"], [v + a * t for t in table["t"]], 1e-11)
+
+    def test_there_are_two_codes(self):
+        self.play("balls_near_and_far")
+        summary = self.summary("table.json")
+        self.assertEqual([code["instances"] for code in summary["codes"]], [["near"], ["far_1", "far_2", "far_3"]])
+        self.assertEqual(summary["derivations"], 2)
+
+
 if __name__ == "__main__":
     unittest.main()
