@@ -179,7 +179,8 @@ int generate_instances(Input& input) {
     if (!result) return code;
     if (options.check) say_checked(*result, input.source);
     // As it is emitted: names of macros and keywords have a '_' there.
-    variants.push_back({set.first, result->model_name, result->tree.name_space, set.effects, {}, guards_of(result->unit)});
+    variants.push_back(
+        {set.first, result->model_name, result->tree.name_space, set.effects, {}, guards_of(result->unit)});
     headers.push_back(result->header);
   }
   if (options.check) return k_ok;

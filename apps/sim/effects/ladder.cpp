@@ -1,6 +1,7 @@
 #include "sim/effects/ladder.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "sim/run/interruption.hpp"
@@ -33,10 +34,29 @@ std::optional<Compared> next_rung(const Measured& from, Workbench& bench) {
 
 }  // namespace
 
+// What falls with another effect, as wind with the air, is counted once: as its own.
 int Ladder::shared_operations() const {
-  int shared = all.operations - none.operations;
+  struct Part {
+    EffectSet absent;
+    int own = 0;
+  };
+  std::vector<Part> parts;
   for (const Compared& one : each) {
-    if (!one.move.is_other_choice && one.measured.why.empty()) shared -= all.operations - one.measured.operations;
+    if (one.move.is_other_choice || !one.measured.why.empty()) continue;
+    Part part{{}, all.operations - one.measured.operations};
+    std::set_difference(all.acting.begin(), all.acting.end(), one.measured.acting.begin(), one.measured.acting.end(),
+                        std::inserter(part.absent, part.absent.end()));
+    const auto is_same = [&](const Part& other) { return other.absent == part.absent; };
+    if (std::none_of(parts.begin(), parts.end(), is_same)) parts.push_back(std::move(part));
+  }
+  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.absent.size() < b.absent.size(); });
+  int shared = all.operations - none.operations;
+  for (auto part = parts.begin(); part != parts.end(); ++part) {
+    for (auto inner = parts.begin(); inner != part; ++inner) {
+      const auto& [absent, own] = *inner;
+      if (std::includes(part->absent.begin(), part->absent.end(), absent.begin(), absent.end())) part->own -= own;
+    }
+    shared -= part->own;
   }
   return shared;
 }

@@ -351,7 +351,7 @@ class Ends(Instances):
                                "instances:\n  b: {initial: {z: 2}}\n  a: {}\n  free: {effects: none}\n")
         said = self.ok("run", "two.yaml")
         rows = self.events("two.events.csv")
-        self.assertEqual(list(rows[0]), ["t [s]", "instance", "event", "impulse [N*s]"])
+        self.assertEqual(list(rows[0]), ["t [s]", "instance", "event", "impulse"])
         self.assertEqual([float(row["t [s]"]) for row in rows], sorted(float(row["t [s]"]) for row in rows))
         for name, height in (("a", 1), ("b", 2)):
             first = [float(row["t [s]"]) for row in rows if row["instance"] == name][0]
@@ -361,8 +361,8 @@ class Ends(Instances):
         self.write("alone.yaml", "gauss: 1\nscene: alone\nmodel: bouncing.yaml\nduration: 1\nsamples: 11\ninitial: {z: 2}\n")
         self.ok("run", "alone.yaml", "-q")
         self.assertEqual(self.cells("alone.csv")["z"], self.cells("two.csv")["b.z"])
-        alone = [(row["t [s]"], row["event"], row["impulse [N*s]"]) for row in self.events("alone.events.csv")]
-        self.assertEqual(alone, [(row["t [s]"], row["event"], row["impulse [N*s]"]) for row in rows if row["instance"] == "b"])
+        alone = [(row["t [s]"], row["event"], row["impulse"]) for row in self.events("alone.events.csv")]
+        self.assertEqual(alone, [(row["t [s]"], row["event"], row["impulse"]) for row in rows if row["instance"] == "b"])
         self.assertEqual(self.summary("two.json")["instances"]["b"]["regimes"], self.summary("alone.json")["regimes"])
 
     def test_regimes_of_one_code_are_compiled_once(self):
