@@ -13,6 +13,21 @@
 
 namespace gaussgen {
 
+const std::vector<std::string>& keys_of_scenes() {
+  static const std::vector<std::string> k_keys{
+      "gauss",        "scene",    "about",      "model",        "counts",  "parameters", "initial",   "inputs",
+      "start",        "duration", "every",      "samples",      "outputs", "method",     "tolerance", "error",
+      "step",         "number",   "projection", "strategy",     "engine",  "code",       "gain",      "formulation",
+      "formulations", "exact",    "ensemble",   "longest_step", "effects", "instances"};
+  return k_keys;
+}
+
+const std::vector<std::string>& keys_of_instances() {
+  static const std::vector<std::string> k_keys{"about",   "effects", "parameters", "initial", "inputs",      "exact",
+                                               "outputs", "method",  "tolerance",  "step",    "longest_step"};
+  return k_keys;
+}
+
 namespace {
 
 namespace code = support::code;
@@ -25,6 +40,7 @@ class Reader {
   SceneChoice read() {
     const std::filesystem::path file(source_.name());
     SceneChoice choice;
+    model::check_keys(root_, "the scene", keys_of_scenes(), reading_);
     choice.name = name_of_code(text_of("scene").value_or(file.stem().string()));
     if (const auto model = text_of("model")) {
       choice.model = beside(source_.name(), *model);
@@ -103,6 +119,7 @@ class Reader {
                          "choose another name");
     const bool is_plain = entry.value.kind == spec::NodeKind::empty;
     if (!is_plain && model::expect_map(entry.value, entry.key.span, fmt::format("instance '{}'", one.name), reading_)) {
+      model::check_keys(entry.value, fmt::format("instance '{}'", one.name), keys_of_instances(), reading_);
       read_effects(entry.value, one.effects);
       read_values(entry.value, one.values);
     }

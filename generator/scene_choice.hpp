@@ -36,6 +36,10 @@ struct SceneChoice {
   support::Span instances_place;  ///< of the key
 };
 
+/// What a scene may have, and one of its instances: times, rows and number types are those of all, since they are rows of one table.
+const std::vector<std::string>& keys_of_scenes();
+const std::vector<std::string>& keys_of_instances();
+
 /// Whether the file is a scene, which names a model, and not a model itself. False for what is no YAML either: reading it as a model says what is wrong.
 bool is_scene(const support::Source& source);
 

@@ -22,6 +22,7 @@ std::string words_of_options(const Options& options) {
   for (const auto& [name, count] : options.pipeline.choices.counts) words += fmt::format(" --count {}={}", name, count);
   if (!options.pipeline.choices.effects.empty())
     words += fmt::format(" --effects={}", fmt::join(options.pipeline.choices.effects, ","));
+  if (!options.instance.empty()) words += " --instance " + options.instance;
   return words;
 }
 

@@ -123,11 +123,38 @@ void check_restitution(const Contact& contact, const Values& values, std::vector
                    "it is the part of the speed that an impact leaves, from 0 to 1"});
 }
 
+/// Of a force that opposes: one below 0 would drive, and a strength is compared by its square.
+void check_size(const std::string& what, const Ast& size, const Values& values, std::vector<Diagnostic>& found) {
+  const auto value = value_of(size, values);
+  if (!value || !(*value < 0)) return;
+  found.push_back({Severity::error, code::k_impossible_restitution, size.span, fmt::format("{} is below 0", what),
+                   "it is the size of a force, whatever its direction: 0 or more"});
+}
+
+/// While contacts press.
+Values with_reactions(const Model& model, Values values) {
+  for (const Contact& contact : model.contacts) values[contact.name.text + ".reaction"] = 1;
+  return values;
+}
+
+void check_sizes(const Model& model, const Values& given, std::vector<Diagnostic>& found) {
+  const Values values = with_reactions(model, given);
+  for (const DryFriction& friction : model.frictions) {
+    check_size(fmt::format("the limit of '{}'", friction.name.text), friction.law.limit, values, found);
+    if (friction.static_limit)
+      check_size(fmt::format("the static limit of '{}'", friction.name.text), *friction.static_limit, values, found);
+  }
+  for (const Constraint& row : model.constraints) {
+    if (row.breaks_at) check_size(fmt::format("the strength of '{}'", row.name.text), *row.breaks_at, values, found);
+  }
+}
+
 }  // namespace
 
 std::vector<Diagnostic> impossible_bodies(const Model& model, const Values& values) {
   std::vector<Diagnostic> found;
   for (const Contact& contact : model.contacts) check_restitution(contact, values, found);
+  check_sizes(model, values, found);
   for (const Body& body : model.bodies) BodyCheck(model, body, values, found).run();
   return found;
 }

@@ -29,6 +29,29 @@ bool vanishes(const Ast& ast, const Model& model) {
   }
 }
 
+/// Whatever the motion is: parameters and reactions of contacts are not negative where they are checked (E046), or while these press.
+bool is_never_negative(const Ast& ast, const Model& model) {
+  const auto is_so = [&](const Ast& child) { return is_never_negative(child, model); };
+  switch (ast.kind) {
+    case AstKind::number: return ast.number >= 0;
+    case AstKind::symbol: {
+      const auto known = model.symbols.find(ast.name);
+      if (known != model.symbols.end() && known->second.kind == SymbolKind::parameter) return true;
+      return ast.name == "pi" || std::any_of(model.contacts.begin(), model.contacts.end(), [&](const Contact& contact) {
+               return ast.name == contact.name.text + ".reaction";
+             });
+    }
+    case AstKind::sum:
+    case AstKind::product:
+    case AstKind::reciprocal: return std::all_of(ast.children.begin(), ast.children.end(), is_so);
+    case AstKind::power: return is_so(ast.children.front());
+    case AstKind::call:
+      return ast.name == "exp" || ast.name == "abs" || ast.name == "sqrt" ||
+             (ast.name == "max" && std::any_of(ast.children.begin(), ast.children.end(), is_so));
+    default: return false;
+  }
+}
+
 /// limit² - Σ r²
 Ast margin_of(const Ast& limit, const std::vector<Name>& rows) {
   std::vector<Ast> terms{square_of(limit)};
@@ -61,8 +84,10 @@ class Guards {
 
   void of(const DryFriction& friction) {
     if (friction.is_idle) return;
+    const bool has_own = friction.mode == Mode::sticks && friction.static_limit;
+    const Ast& limit = has_own ? *friction.static_limit : friction.law.limit;
+    if (!is_never_negative(limit, model_)) add(friction.name, "limit", Guard::Kind::falls, limit);
     if (friction.mode == Mode::sticks) {
-      const Ast& limit = friction.static_limit ? *friction.static_limit : friction.law.limit;
       return add(friction.name, "slides", Guard::Kind::falls, margin_of(limit, friction.rows));
     }
     for (std::size_t i = 0; i < friction.law.slips.size(); ++i) {

@@ -380,9 +380,10 @@ class Tree : private TreeZ {
     }
     Vector3 given = ir::zero3(graph_);
     if (!is_correcting_) given = given + motion_.drift(floating.base, steps_);
-    if (!is_correcting_ && !is_without_fall) given = given + motion_.fall();
+    if (!is_correcting_) given = given + motion_.fall();
     for (std::size_t k = 0; k < 3; ++k) {
-      if (floating.along[k]) w_[a(floating.base, k)] = v[k];
+      if (floating.along[k])
+        w_[a(floating.base, k)] = is_without_fall && !is_correcting_ ? v[k] + motion_.fall()[k] : v[k];
     }
     given_[floating.base] = given;
   }

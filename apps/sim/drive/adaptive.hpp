@@ -21,6 +21,7 @@ class Adaptive final : public Integrator<S> {
   bool advance_to(const S& end) override { return simulation_.advance_to(end); }
   bool step_towards(const S& end) override { return simulation_.step_towards(end); }
   void know_sizes(const Array& sizes) override { simulation_.know_sizes(inside(sizes).values); }
+  void know_rounding(const Array& of_rates) override { simulation_.know_rounding(inside(of_rates).values); }
   S time() const override { return simulation_.time(); }
   const Array& state() const override {
     const typename Model::State inner = simulation_.state();

@@ -75,6 +75,8 @@ class Integrator {
   virtual const Array& state() const = 0;
   /// How large components were before it began: what errors of them are relative to, at least.
   virtual void know_sizes(const Array&) {}
+  /// What rounding of forces that cancel makes of rates, at least: no error of a step is told below that.
+  virtual void know_rounding(const Array&) {}
   /// What comes next, for methods that know the motion within a step: advance_to may go on to times after the one that it was asked for.
   virtual void expect(const Samples<S>&) {}
   /// At that time and those after it, until it advances: where the method has these numbers.

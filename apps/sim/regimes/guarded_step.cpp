@@ -23,8 +23,9 @@ GuardedStep<S>::GuardedStep(const Regime<S>& regime, const Modes& modes, const I
   for (std::size_t g = 0; g < regime.guards().size(); ++g) {
     const GuardOf& guard = regime.guards()[g];
     const std::string& mode = modes.at(guard.of);
-    if (guard.kind == Kind::falls) watched_.push_back({g, S(1), mode == "open"});
-    if (guard.kind == Kind::slip && mode != "slides") watched_.push_back({g, S(mode == "backwards" ? -1 : 1), false});
+    if (guard.kind == Kind::falls) watched_.push_back({g, S(1), mode == "open", false});
+    if (guard.kind == Kind::slip && mode != "slides")
+      watched_.push_back({g, S(mode == "backwards" ? -1 : 1), false, true});
   }
   to_.t = here.t;
   to_.x = here.x;
@@ -124,6 +125,9 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
   const std::size_t g = one.guard;
   const S h = to_.t - from_.t, begin = one.sense * from_.values[g], end = one.sense * to_.values[g];
   const auto value = [&](const S& at) { return value_at(at, one); };
+  // A slip that others hold at 0 is that but for rounding.
+  if (one.is_slip && gauss::event::magnitude_of(begin) <= slow && gauss::event::magnitude_of(end) <= slow)
+    return std::nullopt;
   S high = to_.t, high_value = end;
   if (!(end < S(0))) {
     const std::optional<Place> below = dip(one, from_, to_, k_halvings);
@@ -175,6 +179,7 @@ std::optional<typename GuardedStep<S>::Array> GuardedStep<S>::state_at(const S& 
   const auto again = make_integrator(method_, regime_.motion(), from_.x, from_.t, of_method_, why);
   if (!again) return std::nullopt;
   again->know_sizes(here_.sizes);
+  again->know_rounding(here_.rounding);
   if (!again->advance_to(t)) return std::nullopt;
   return again->state();
 }

@@ -45,6 +45,7 @@ class GuardedStep {
     std::size_t guard;
     S sense;       ///< of a slip that is 0 at the end of its sliding; 1 for others
     bool is_told;  ///< its rate is the guard behind it
+    bool is_slip;
   };
 
   void look_at_guards(Place& place) const;

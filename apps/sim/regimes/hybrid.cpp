@@ -131,7 +131,7 @@ bool Hybrid<S>::start() {
   }
   if (modes_.empty()) modes_ = here_.ground_modes(switches);
   if (!closing.empty()) hit_at(closing);
-  return outcome_ == Outcome::running && settle({});
+  return outcome_ == Outcome::running && settle({}, {});
 }
 
 template <class S>
@@ -146,15 +146,26 @@ void Hybrid<S>::hit_at(const std::set<std::string>& closing) {
 }
 
 template <class S>
-bool Hybrid<S>::settle(const std::map<std::string, std::string>& banned) {
-  if (outcome_ != Outcome::running) return false;
-  Standing<S> standing;
-  if (!look(standing)) return false;
+bool Hybrid<S>::settle(const Bans& banned, const Bans& ended_here) {
   std::string why;
-  RegimeChoice<S> choice(pool_, *ground(), standing, here_, banned);
-  if (auto next = choice.find(why)) {
-    enter(std::move(*next));
-    return outcome_ == Outcome::running;
+  // Each pass but the last one breaks a link.
+  for (std::size_t pass = 0; pass <= pool_.switches().links.size(); ++pass) {
+    if (outcome_ != Outcome::running) return false;
+    Standing<S> standing;
+    if (!look(standing)) return false;
+    std::string overloaded;
+    for (const Bans* const bans : {&ended_here, &banned}) {
+      RegimeChoice<S> choice(pool_, *ground(), standing, here_, *bans);
+      why.clear();
+      if (auto next = choice.find(why)) {
+        enter(std::move(*next));
+        return outcome_ == Outcome::running;
+      }
+      overloaded = choice.overloaded();
+      if (banned.size() == ended_here.size()) break;
+    }
+    if (overloaded.empty()) break;
+    here_.broken.insert(overloaded);
   }
   stop(Outcome::no_regime, fmt::format("contacts and friction leave no motion from here on ({})", why));
   return false;
@@ -172,10 +183,24 @@ void Hybrid<S>::enter(NextRegime<S> next) {
   here_.closed.clear();
   for (const ContactSwitch& contact : pool_.switches().contacts)
     if (modes_.at(contact.name) == "closed") here_.closed.insert(contact.name);
+  find_rounding();
   slipping_.clear();
   for (const FrictionSwitch& friction : pool_.switches().frictions)
     if (modes_.at(friction.name) == "slides") slipping_.push_back(&friction);
   integrate_by(next.has_fresh_slip && regime_->motion().has_jacobian() ? k_for_stiff : setting_.method);
+}
+
+/// Reactions take away what would accelerate bodies that nothing holds: what is left is that but for rounding.
+template <class S>
+void Hybrid<S>::find_rounding() {
+  here_.rounding.assign(here_.x.size(), S(0));
+  Regime<S>* const free = ground();
+  if (free == nullptr || free == regime_) return;
+  const Array rates = free->rates(here_.t, here_.x);
+  const S least = 64 * gauss::Math<S>::epsilon();
+  const S of_speeds = least * largest_of(rates.data() + here_.coordinates, rates.size() - here_.coordinates);
+  for (std::size_t i = 0; i < here_.x.size(); ++i)
+    here_.rounding[i] = i < here_.coordinates ? least * here_.fastest : of_speeds;
 }
 
 /// From the present state on.
@@ -198,6 +223,7 @@ void Hybrid<S>::integrate_by(const std::string& method) {
     inner_ = make_integrator(name, regime_->motion(), here_.x, here_.t, settings, why);
     if (!inner_) continue;
     inner_->know_sizes(here_.sizes);
+    inner_->know_rounding(here_.rounding);
     break;
   }
   if (!inner_) return stop(Outcome::bad_settings, why);
@@ -284,6 +310,8 @@ void Hybrid<S>::happen(const S& t, const Array& x, const std::vector<std::size_t
                 fmt::format("there are more than {} events in each second of the motion", k_densest));
   if (without_time_ > k_most_at_once)
     return stop(Outcome::too_many_events, "contacts and friction change without end at this instant");
+  // What has ended at this instant does not begin again at it, where that leaves something.
+  if (without_time_ == 0) ended_here_.clear();
   std::map<std::string, std::string> banned;
   std::set<std::string> closing;
   for (const std::size_t guard : fired) {
@@ -298,8 +326,12 @@ void Hybrid<S>::happen(const S& t, const Array& x, const std::vector<std::size_t
       banned[name] = mode;
     }
   }
-  if (!closing.empty()) hit_at(closing);
-  settle(banned);
+  if (!closing.empty()) {
+    hit_at(closing);
+    ended_here_.clear();
+  }
+  for (const auto& [name, mode] : banned) ended_here_[name] = mode;
+  settle(banned, ended_here_);
   here_.halted.clear();
   here_.last_event = here_.t;
 }

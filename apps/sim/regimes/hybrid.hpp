@@ -1,6 +1,7 @@
 #pragma once
 // A motion through regimes: each is integrated by itself, until a guard of it falls through 0 (docs/regimes.md).
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,6 +52,7 @@ class Hybrid final : public Integrator<S> {
  private:
   bool start();
   void enter(NextRegime<S> next);
+  void find_rounding();
   void integrate_by(const std::string& method);
   void step(const S& end);
   S cap(const S& end, std::string& halting) const;
@@ -61,7 +63,8 @@ class Hybrid final : public Integrator<S> {
   /// At the present state.
   bool look(Standing<S>& standing);
   void hit_at(const std::set<std::string>& closing);
-  bool settle(const std::map<std::string, std::string>& banned);
+  using Bans = std::map<std::string, std::string>;
+  bool settle(const Bans& banned, const Bans& ended_here);
   void stop(gauss::simulate::Outcome outcome, std::string why);
   void note(const std::string& what, double impulse = 0);
 
@@ -80,7 +83,8 @@ class Hybrid final : public Integrator<S> {
   gauss::simulate::Outcome outcome_ = gauss::simulate::Outcome::running;
   std::string why_;
   std::vector<Event> events_;
-  int without_time_ = 0;  ///< events in a row between which no time went by
+  int without_time_ = 0;                           ///< events in a row between which no time went by
+  std::map<std::string, std::string> ended_here_;  ///< modes that came to their end at this instant
 };
 
 }  // namespace gausssim

@@ -41,7 +41,8 @@ std::optional<std::vector<Hit>> hit(const Regime<S>& ground, const Regime<S>& be
   gauss::event::ImpactProblem<S> problem = standing.impact;
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
-    problem.takes_part[c] = here.closed.count(name) > 0 || closing.count(name) > 0 ? 1 : 0;
+    const bool touches = here.touches(name, standing.gaps[c], standing.gap_rate(c));
+    problem.takes_part[c] = here.closed.count(name) > 0 || closing.count(name) > 0 || touches ? 1 : 0;
   }
   forget_rebounds_without_end(ground, before, switches, standing, here, problem);
   const gauss::event::Impulses<S> found = gauss::event::ImpactSolver<S>(problem).solve();

@@ -17,6 +17,7 @@ struct Instant {
   std::size_t coordinates = 0;   ///< of the state, which stand before its speeds
   Numbers<S> sizes;              ///< largest of each component so far
   S fastest = 0;                 ///< speed so far
+  Numbers<S> rounding;           ///< of rates, where forces cancel that accelerate a body while nothing holds it
   std::set<std::string> closed;  ///< contacts, beside those that open at this instant
   std::set<std::string> halted;  ///< frictions whose slip has come to its end here, whatever rounding has left of it
   std::set<std::string> broken;
@@ -31,6 +32,12 @@ struct Instant {
 
   /// In which rates of change are told by differences: part of the time in this regime, or in one that has just begun.
   S a_while(const S& part, const S& least) const { return part * std::max(S(t - last_event), least); }
+
+  /// What touches and does not part, whether it has a reaction or others hold it there.
+  bool touches(const std::string& contact, const S& gap, const S& gap_rate) const {
+    if (gap_rate > slow()) return false;
+    return closed.count(contact) > 0 || (gap <= gap_that_is_none<S>(x, coordinates) && !(gap_rate < -slow()));
+  }
 
   Modes ground_modes(const Switches& switches) const {
     Modes modes = ground_of(switches);

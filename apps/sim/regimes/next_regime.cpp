@@ -32,9 +32,10 @@ template <class S>
 RegimeChoice<S>::RegimeChoice(RegimePool<S>& pool, Regime<S>& ground, const Standing<S>& standing,
                               const Instant<S>& here, const std::map<std::string, std::string>& banned)
     : pool_(pool), switches_(pool.switches()), ground_(ground), standing_(standing), here_(here), banned_(banned) {
+  const Numbers<S> rates = ground.rates(here.t, here.x);
+  free_ = largest_of(rates.data() + here.coordinates, rates.size() - here.coordinates);
   for (std::size_t c = 0; c < switches_.contacts.size(); ++c) {
-    const bool parts = standing.gap_rate(c) > here.slow();
-    if (here.closed.count(switches_.contacts[c].name) > 0 && !parts) touching_.push_back(c);
+    if (here.touches(switches_.contacts[c].name, standing.gaps[c], standing.gap_rate(c))) touching_.push_back(c);
   }
 }
 
@@ -113,10 +114,9 @@ std::optional<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choice_of_least_
   }
   const auto found = gauss::event::LeastConstraint<S>(problem).solve();
   if (!found.is_found) return std::nullopt;
-  S largest = 0;
-  for (const S& one : problem.right) largest = std::max(largest, magnitude_of(one));
+  // Those with reactions are independent of each other. Of more than a body needs, others stay where they are by these.
   for (std::size_t k = 0; k < taking_part.size(); ++k)
-    if (found.rates[impact.constraints + k] > S(1e-6) * largest) opens.insert(switches_.contacts[taking_part[k]].name);
+    if (!(found.reactions[impact.constraints + k] > S(0))) opens.insert(switches_.contacts[taking_part[k]].name);
   return opens;
 }
 
@@ -203,7 +203,7 @@ bool RegimeChoice<S>::holds(const NextRegime<S>& next, const Opens& opens, std::
   for (std::size_t g = 0; g < now.size(); ++g)
     if (guards[g].kind == Kind::falls && next.modes.at(guards[g].of) == "closed")
       press = std::max(press, magnitude_of(now[g]));
-  const S size = largest_of(rates.data() + here_.coordinates, rates.size() - here_.coordinates);
+  const S size = std::max(free_, largest_of(rates.data() + here_.coordinates, rates.size() - here_.coordinates));
   for (std::size_t g = 0; g < now.size(); ++g) {
     const GuardOf& guard = guards[g];
     const std::string& mode = next.modes.at(guard.of);
@@ -211,7 +211,13 @@ bool RegimeChoice<S>::holds(const NextRegime<S>& next, const Opens& opens, std::
     if (!(now[g] == now[g])) return why = fmt::format("'{}' has no value", guard.name), false;
     if (mode == "closed" && now[g] < -S(1e-9) * press) return why = fmt::format("'{}' would pull", guard.of), false;
     if (mode == "sticks" && now[g] < S(0)) return why = fmt::format("'{}' cannot hold it", guard.of), false;
-    if (mode == "holds" && now[g] < S(0)) return why = fmt::format("'{}' breaks", guard.of), false;
+    const bool slides = mode == "forwards" || mode == "backwards" || mode == "slides";
+    if (slides && guard.kind == Kind::falls && now[g] < S(0))
+      return why = fmt::format("the limit of '{}' is below 0", guard.of), false;
+    if (mode == "holds" && now[g] < S(0)) {
+      if (overloaded_.empty() || now[g] < overload_) overloaded_ = guard.of, overload_ = now[g];
+      return why = fmt::format("'{}' breaks", guard.of), false;
+    }
     const bool is_resting = guard.kind == Kind::rate_of_gap && opens.count(guard.of) > 0;
     if (is_resting && change < -S(1e-6) * size) return why = fmt::format("'{}' would overlap", guard.of), false;
     const bool has_sense = guard.kind == Kind::slip && (mode == "forwards" || mode == "backwards");

@@ -32,6 +32,9 @@ class RegimeChoice {
   /// Nothing, and why.
   std::optional<NextRegime<S>> find(std::string& why);
 
+  /// Of the links that broke in regimes that were tried, the one whose load was the largest part of its strength; empty: none did.
+  const std::string& overloaded() const { return overloaded_; }
+
  private:
   using Ways = std::vector<std::pair<std::string, std::vector<std::string>>>;
   using Opens = std::set<std::string>;
@@ -53,7 +56,10 @@ class RegimeChoice {
   const Instant<S>& here_;
   const std::map<std::string, std::string>& banned_;
   std::vector<std::size_t> touching_;  ///< contacts that may be closed: they touch, and do not part
+  S free_ = 0;                         ///< the largest acceleration while nothing holds
   std::size_t tried_ = 0;
+  std::string overloaded_;
+  S overload_ = 0;
 };
 
 }  // namespace gausssim

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/names.hpp"
+#include "scene_choice.hpp"
 #include "sim/scene/choices.hpp"
 #include "sim/scene/read_fields.hpp"
 #include "support/error_codes.hpp"
@@ -16,13 +17,6 @@ namespace {
 namespace code = gaussgen::support::code;
 namespace model = gaussgen::model;
 namespace spec = gaussgen::spec;
-
-/// What one instance may have for itself. Times, rows and number types are those of all: they are the rows of one table.
-const std::vector<std::string>& keys_of_instance() {
-  static const std::vector<std::string> k_keys{"about",   "effects", "parameters", "initial", "inputs",      "exact",
-                                               "outputs", "method",  "tolerance",  "step",    "longest_step"};
-  return k_keys;
-}
 
 class InstancesReader {
  public:
@@ -47,7 +41,7 @@ class InstancesReader {
     const bool is_plain = entry.value.kind == spec::NodeKind::empty;
     if (!is_plain && model::expect_map(entry.value, entry.key.span, where, reading_)) {
       one.extent = entry.value.span;
-      model::check_keys(entry.value, where, keys_of_instance(), reading_);
+      model::check_keys(entry.value, where, gaussgen::keys_of_instances(), reading_);
       read_fields(entry.value, entry.key.span, one);
     }
     scene_.instances.push_back(std::move(one));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/fields.hpp"
+#include "scene_choice.hpp"
 #include "sim/scene/choices.hpp"
 #include "sim/scene/read_ensemble.hpp"
 #include "sim/scene/read_fields.hpp"
@@ -27,22 +28,13 @@ using gaussgen::support::Span;
 const char* const k_where = "the scene";
 constexpr long k_most_samples = 100'000'000;
 
-const std::vector<std::string>& keys() {
-  static const std::vector<std::string> k_keys{
-      "gauss",        "scene",    "about",      "model",        "counts",  "parameters", "initial",   "inputs",
-      "start",        "duration", "every",      "samples",      "outputs", "method",     "tolerance", "error",
-      "step",         "number",   "projection", "strategy",     "engine",  "code",       "gain",      "formulation",
-      "formulations", "exact",    "ensemble",   "longest_step", "effects", "instances"};
-  return k_keys;
-}
-
 class SceneReader {
  public:
   SceneReader(const spec::Node& root, model::Reading& reading)
       : root_(root), reading_(reading), fields_(root, root.span, reading) {}
 
   Scene read() {
-    model::check_keys(root_, k_where, keys(), reading_);
+    model::check_keys(root_, k_where, gaussgen::keys_of_scenes(), reading_);
     check_version();
     read_name();
     scene_.about = model::text_field(root_, "about", reading_);

@@ -86,6 +86,9 @@ class Simulation {
   /// How large components have been in the same motion, before this part of it: scales of errors are no less.
   void know_sizes(const integrate::StateArray<Model>& sizes) { control_.grow(sizes); }
 
+  /// What rounding makes of rates, at least, as of forces that cancel each other where contacts hold a body.
+  void know_rounding(const integrate::StateArray<Model>& of_rates) { control_.set_least_rounding(of_rates); }
+
   const Scalar& time() const { return t_; }
   State state() const { return Arrays::state_of(x_); }
   /// As it is in force: of one that writes its state in other coordinates from time to time.

@@ -104,6 +104,7 @@ class StepControl {
         system_(&system),
         own_(Arrays::zeros(model)),
         rounding_(own_),
+        least_rounding_(own_),
         by_constraints_(own_),
         sizes_(own_),
         allowed_(own_),
@@ -114,7 +115,10 @@ class StepControl {
     for (std::size_t i = 0; i < x.size(); ++i) own_[i] = std::max(own_[i], integrate::magnitude(x[i]));
   }
   void set_smallest(std::size_t i, const Scalar& size) { own_[i] = size; }
-  void set_rounding(const Array& of_rates) { rounding_ = of_rates; }
+  void set_rounding(const Array& of_rates) {
+    for (std::size_t i = 0; i < of_rates.size(); ++i) rounding_[i] = std::max(of_rates[i], least_rounding_[i]);
+  }
+  void set_least_rounding(const Array& of_rates) { rounding_ = least_rounding_ = of_rates; }
   /// What constraints make of components where all of them move. A body that a blade guides straight does not turn: rounding of its speed, divided by an arm, is what it seems to turn by. And what they
   /// bring back to where it was, as the angle of a slab on parallel bars, is theirs: errors of a step in it are of no other size than those of all that moves.
   /// `project(state, result)` is false where it does not arrive.
@@ -253,6 +257,7 @@ class StepControl {
   const NotingSystem<Model>* system_;
   Array own_;       ///< largest size so far
   Array rounding_;  ///< changes of rates by it
+  Array least_rounding_;
   Array by_constraints_;
   mutable Array sizes_, allowed_;  ///< of `allowed`
   typename Arrays::template Of<bool> is_held_;

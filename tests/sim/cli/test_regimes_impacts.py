@@ -136,6 +136,31 @@ contacts: {c0: {gap: a, restitution: e}, c1: {gap: b - a - h, restitution: e}, c
 forces: {gravity: {uniform: [0, 0, -g]}}
 """
 
+# On three posts, of which two would do, and turned off them.
+PLANK = """gauss: 1
+name: plank
+parameters: {m: 4, g: 9.81, d: 0.25, T: 2}
+coordinates: {z: {}, phi: {}}
+bodies: {plank: {mass: m, inertia: [0, m*d^2, 0], position: [0, 0, z], orientation: {axis: y, angle: phi}}}
+points: {a: {on: plank, at: [-d, 0, 0]}, b: {on: plank, at: [0, 0, 0]}, c: {on: plank, at: [d, 0, 0]}}
+contacts: {A: {gap: a.z}, B: {gap: b.z}, C: {gap: c.z}}
+forces: {weight: {uniform: [0, 0, -g]}, turn: {generalized: {phi: T*t}}}
+"""
+
+WALK = """gauss: 1
+name: walk
+counts: {n: 7}
+parameters: {m: 4, g: 9.81, d: 0.2, M: 3, v: 0.5}
+coordinates: {z: {}, phi: {}, s: {held_at: v*t}}
+bodies: {plank: {mass: m, inertia: [0, "m*(10*d)^2/12", 0], position: [0, 0, z], orientation: {axis: y, angle: phi}}}
+particles: {load: {mass: M, position: [s*cos(phi), 0, z - s*sin(phi)]}}
+points:
+  p_$i: {count: n, on: plank, at: [($i - 4)*d, 0, 0]}
+contacts:
+  post_$i: {count: n, gap: p_$i.z}
+forces: {weight: {uniform: [0, 0, -g]}}
+"""
+
 # Into the corner, so that two walls are hit at once.
 ROOM = """gauss: 1
 name: room
@@ -421,6 +446,43 @@ class Impacts(Regimes):
             for i in range(len(table["t"])):
                 a, b, c = (table[name][i] for name in "abc")
                 self.assertTrue(a > -1e-9 and b > a + 0.5 - 1e-9 and c > b + 0.5 - 1e-9)
+
+    def test_a_plank_on_more_posts_than_it_needs_tips_where_statics_says(self):
+        table, events = self.go(PLANK, "--duration", "6", "--samples", "121", "--outputs", "z,phi,modes,reactions", timeout=20)
+        tips = 4 * G * 0.25 / 2  # T t = m g d
+        (opens,) = [t for t, words, _ in events if words == "B open"]
+        self.assertAlmostEqual(opens, tips, delta=1e-9)
+        for i, t in enumerate(table["t"]):
+            reactions = [table[f"reactions.{name}.multiplier"][i] for name in "ABC"]
+            if 1e-3 < t < tips:
+                self.assertAlmostEqual(sum(reactions), 4 * G, delta=1e-9)
+                self.assertAlmostEqual(0.25 * (reactions[2] - reactions[0]), 2 * t, delta=1e-9)
+                self.assertTrue(all(reaction >= 0 for reaction in reactions))
+            if t < tips:
+                self.assertAlmostEqual(table["phi"][i], 0, delta=1e-11)
+        self.assertGreater(table["phi"][-1], 0.1)
+        # A load that walks off at 0.5 m/s, on seven posts 0.2 m apart: beyond the last but one by (m/M) times its distance.
+        table, events = self.go(WALK, "--duration", "3", "--samples", "7", "--outputs", "z,phi,modes", timeout=60)
+        self.assertAlmostEqual(events[-1][0], (0.6 + 0.6 * 4 / 3) / 0.5, delta=1e-9)
+        self.assertAlmostEqual(table["phi"][5], 0, delta=1e-15)
+
+    def test_two_frictions_on_one_block_hold_together(self):
+        """Up to the sum of their limits, in either order, and then both act."""
+        for first, second in (("a", "b"), ("b", "a")):
+            limits = {"a": 1, "b": 3}
+            text = f"""gauss: 1
+name: brakes
+parameters: {{m: 1, c: 1}}
+coordinates: {{x: {{}}}}
+particles: {{p: {{mass: m, position: [x, 0, 0]}}}}
+forces:
+  pull: {{generalized: {{x: c*t}}}}
+  {first}: {{friction: dot(x), limit: {limits[first]}}}
+  {second}: {{friction: dot(x), limit: {limits[second]}}}
+"""
+            table, _ = self.go(text, "--duration", "6", "--samples", "13")
+            for t, x in zip(table["t"], table["x"]):
+                self.assertAlmostEqual(x, max(t - 4, 0) ** 3 / 6, delta=1e-9)
 
     def test_samples_at_the_instant_of_an_impact_are_no_error(self):
         self.write("model.yaml", ROOM)  # speeds 1: hits walls at 0.5, which is a sample
