@@ -118,12 +118,8 @@ class RadauIIA {
     n_ = x.size();
     out = x;
     error = x;
-    guess(t, h);
-    if (!find_stages(sys, x, t, h)) {
-      std::fill(error.begin(), error.end(), std::numeric_limits<S>::infinity());
-      is_known_ = false;
-      return;
-    }
+    if (!find_stages_from_guesses(sys, x, rates, t, h))
+      return std::fill(error.begin(), error.end(), std::numeric_limits<S>::infinity());
     const S* const last = shifts_.data() + (k_stages - 1) * n_;
     for (std::size_t i = 0; i < n_; ++i) out[i] += last[i];
     estimate(sys, x, rates, t, h, error);
@@ -143,12 +139,22 @@ class RadauIIA {
   static constexpr double k_filter = 0.16;    ///< near the real eigenvalue of A
   static constexpr double k_no_longer = 0.5;  ///< of what is allowed
 
-  /// The polynomial of the step before, or of the one that was refused here, as far as it reaches.
-  void guess(const S& t, const S& h) {
+  /// The polynomial of the step before; the tangent, along which a slip stays as small as it is; then the start, to which what decays at once has gone.
+  template <class System, class Rates>
+  bool find_stages_from_guesses(System& system, const Array& x, const Rates& rates, const S& t, const S& h) {
+    if (guess(t, h) && find_stages(system, x, t, h)) return true;
+    guess_on_tangent(rates, h);
+    if (find_stages(system, x, t, h)) return true;
     shifts_.assign(k_stages * n_, S(0));
-    if (!is_known_ || known_shifts_.size() != shifts_.size() || !(h <= S(k_longest_guess) * known_h_)) return;
+    return find_stages(system, x, t, h);
+  }
+
+  /// The polynomial of the step before, or of the one that was refused here, as far as it reaches.
+  bool guess(const S& t, const S& h) {
+    shifts_.assign(k_stages * n_, S(0));
+    if (!is_known_ || known_shifts_.size() != shifts_.size() || !(h <= S(k_longest_guess) * known_h_)) return false;
     const bool is_again = known_from_ == t, follows = magnitude(S(known_from_ + known_h_ - t)) <= S(1e-6) * known_h_;
-    if (!is_again && !follows) return;
+    if (!is_again && !follows) return false;
     for (std::size_t s = 0; s < k_stages; ++s) {
       const S at = (is_again ? S(0) : S(1)) + tableau_.c[s] * h / known_h_;
       for (std::size_t j = 0; j < k_stages; ++j) {
@@ -157,6 +163,13 @@ class RadauIIA {
         for (std::size_t i = 0; i < n_; ++i) shifts_[s * n_ + i] += weight * known_shifts_[j * n_ + i];
       }
     }
+    return true;
+  }
+
+  template <class Rates>
+  void guess_on_tangent(const Rates& rates, const S& h) {
+    for (std::size_t s = 0; s < k_stages; ++s)
+      for (std::size_t i = 0; i < n_; ++i) shifts_[s * n_ + i] = tableau_.c[s] * h * rates[i];
   }
 
   /// Newton's method for sum_j (A^-1)_ij Z_j = h f(t + c_i h, x + Z_i).

@@ -288,6 +288,28 @@ class Friction(Regimes):
         self.go(PUCK, "--duration", "3.5", timeout=20)
         self.assertLess(self.summary("x.json")["steps"], 5000)
 
+    def test_slip_on_what_turns_begins_where_friction_cannot_carry_along_and_takes_few_steps(self):
+        """On a table that begins to turn with al: r sqrt(al^2 + (al t)^4) = mu g."""
+        text = """gauss: 1
+name: turntable
+parameters: {m: 1, g: 9.81, mu: 0.2, al: 0.5}
+coordinates: {x: {initial: 0.5}, y: {}, z: {}}
+particles: {p: {mass: m, position: [x, y, z]}}
+contacts: {floor: {gap: z}}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  f: {friction: [dot(x) + al*t*y, dot(y) - al*t*x], limit: mu*floor.reaction}
+"""
+        begins = ((0.2 * G / 0.5) ** 2 - 0.25) ** 0.25 / 0.5
+        ends = []
+        for tolerance in ("1e-9", "1e-12"):
+            table, events = self.go(text, "--duration", "4.2", "--samples", "43", "--tolerance", tolerance, timeout=20)
+            self.assertAlmostEqual(self.instants(events, "f slides")[0], begins, delta=1e-8)
+            self.assertLess(self.summary("x.json")["steps"], 3000)
+            ends.append([table[name][-1] for name in ("x", "y", "x_dot", "y_dot")])
+        for one, other in zip(*ends):
+            self.assertAlmostEqual(one, other, delta=1e-7)
+
     def test_slip_in_two_directions_ends_in_rest(self):
         table, events = self.go(PUCK, "--duration", "3", "--set", "k=0", "--set", "u=1")
         (stops,) = self.instants(events, "friction sticks")

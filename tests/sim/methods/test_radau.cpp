@@ -131,4 +131,5 @@ TEST_CASE("slip that begins from rest is followed from 1e-12 on") {
   REQUIRE(integrator->advance_to(2.0));
   CHECK(problems::distance(integrator->state(), Problem::at(1)) < 1e-10);
   CHECK(integrator->progress().steps < 300);
+  CHECK(integrator->progress().rejected < integrator->progress().steps);
 }
