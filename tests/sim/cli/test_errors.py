@@ -298,7 +298,7 @@ class Errors(Program):
     def test_stiff_models_get_stiff_methods(self):
         found = json.loads(self.ok("advise", MODELS / "spring_pendulum.yaml", "--error", "1e-4", "--format", "json"))
         tried = {one["method"] for one in found["tried"]}
-        self.assertTrue(tried & {"cvode_bdf", "arkode_esdirk4", "arkode_kvaerno5", "ida"}, tried)
+        self.assertTrue(tried & {"radau", "cvode_bdf", "arkode_esdirk4", "arkode_kvaerno5", "ida"}, tried)
 
     def test_advice_from_a_study(self):
         point = {"id": 1, "method": "dopri5", "formulation": "as given", "code": "optimised", "number": "double", "projection": "full",
