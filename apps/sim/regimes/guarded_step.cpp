@@ -68,9 +68,9 @@ void GuardedStep<S>::look_at_guards(Place& place) const {
   }
   if (are_told) return;
   const S dt = S(1e-7) * std::max(S(place.t - entered_), S(1e-6));
-  const std::vector<S> then = regime_.guard_values(place.t + dt, moved(place.x, regime_.rates(place.t, place.x), dt));
+  const std::vector<S> rates = regime_.guard_rates(place.t, place.x, regime_.rates(place.t, place.x), place.values, dt);
   for (const Watched& one : watched_)
-    if (!one.is_told) place.rates[one.guard] = (then[one.guard] - place.values[one.guard]) / dt;
+    if (!one.is_told) place.rates[one.guard] = rates[one.guard];
 }
 
 /// A place within the last step at which the guard is below 0, between two at which it is not; nothing where there is none. A cubic stands for the guard
@@ -178,8 +178,7 @@ std::optional<typename GuardedStep<S>::Array> GuardedStep<S>::state_at(const S& 
   std::string why;
   const auto again = make_integrator(method_, regime_.motion(), from_.x, from_.t, of_method_, why);
   if (!again) return std::nullopt;
-  again->know_sizes(here_.sizes);
-  again->know_rounding(here_.rounding);
+  here_.tell(*again);
   if (!again->advance_to(t)) return std::nullopt;
   return again->state();
 }

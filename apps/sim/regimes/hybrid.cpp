@@ -222,8 +222,7 @@ void Hybrid<S>::integrate_by(const std::string& method) {
     why.clear();
     inner_ = make_integrator(name, regime_->motion(), here_.x, here_.t, settings, why);
     if (!inner_) continue;
-    inner_->know_sizes(here_.sizes);
-    inner_->know_rounding(here_.rounding);
+    here_.tell(*inner_);
     break;
   }
   if (!inner_) return stop(Outcome::bad_settings, why);
@@ -238,14 +237,13 @@ S Hybrid<S>::cap(const S& end, std::string& halting) const {
   for (const FrictionSwitch* const friction : slipping_) {
     const S dt = here_.a_while(S(1e-7), S(1e-6));
     const std::vector<S> now = regime_->guard_values(here_.t, here_.x);
-    const std::vector<S> then =
-        regime_->guard_values(here_.t + dt, moved(here_.x, regime_->rates(here_.t, here_.x), dt));
+    const std::vector<S> rates = regime_->guard_rates(here_.t, here_.x, regime_->rates(here_.t, here_.x), now, dt);
     S square = 0, falling = 0;
     for (std::size_t g = 0; g < now.size(); ++g) {
       const GuardOf& guard = regime_->guards()[g];
       if (guard.of != friction->name || guard.kind != Kind::slip) continue;
       square += now[g] * now[g];
-      falling -= now[g] * (then[g] - now[g]) / dt;
+      falling -= now[g] * rates[g];
     }
     const S at = falling > S(0) ? S(here_.t + S(0.9) * square / falling) : result;
     if (!(at < result)) continue;
@@ -278,9 +276,7 @@ void Hybrid<S>::step(const S& end) {
       return happen(here_.t, Array(here_.x), {});
     }
   }
-  const bool is_taken = inner_->step_towards(target);
-  const S before = here_.t;
-  if (!is_taken) {
+  if (!inner_->step_towards(target)) {
     const Progress<S> own = inner_->progress();
     here_.t = inner_->time();
     here_.x = inner_->state();
@@ -293,10 +289,11 @@ void Hybrid<S>::step(const S& end) {
     return x ? happen(fired->t, *x, fired->guards)
              : stop(Outcome::step_too_small, "the instant of an event cannot be found");
   }
+  const S length = inner_->time() - here_.t;
   here_.t = inner_->time();
   here_.x = inner_->state();
   without_time_ = 0;
-  watch_stiffness(here_.t - before);
+  watch_stiffness(length);
 }
 
 template <class S>

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "sim/drive/integrator.hpp"
 #include "sim/regimes/regime.hpp"
 
 namespace gausssim {
@@ -37,6 +38,12 @@ struct Instant {
   bool touches(const std::string& contact, const S& gap, const S& gap_rate) const {
     if (gap_rate > slow()) return false;
     return closed.count(contact) > 0 || (gap <= gap_that_is_none<S>(x, coordinates) && !(gap_rate < -slow()));
+  }
+
+  /// What an integrator cannot know of the motion before it.
+  void tell(Integrator<S>& integrator) const {
+    integrator.know_sizes(sizes);
+    integrator.know_rounding(rounding);
   }
 
   Modes ground_modes(const Switches& switches) const {

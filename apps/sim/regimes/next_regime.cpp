@@ -198,7 +198,7 @@ bool RegimeChoice<S>::holds(const NextRegime<S>& next, const Opens& opens, std::
   const Numbers<S> rates = regime.rates(here_.t, next.x);
   const S dt = here_.a_while(S(1e-7), S(1e-3));
   const std::vector<S> now = regime.guard_values(here_.t, next.x);
-  const std::vector<S> then = regime.guard_values(here_.t + dt, moved(next.x, rates, dt));
+  const std::vector<S> changes = regime.guard_rates(here_.t, next.x, rates, now, dt);
   S press = 0;
   for (std::size_t g = 0; g < now.size(); ++g)
     if (guards[g].kind == Kind::falls && next.modes.at(guards[g].of) == "closed")
@@ -207,7 +207,7 @@ bool RegimeChoice<S>::holds(const NextRegime<S>& next, const Opens& opens, std::
   for (std::size_t g = 0; g < now.size(); ++g) {
     const GuardOf& guard = guards[g];
     const std::string& mode = next.modes.at(guard.of);
-    const S change = (then[g] - now[g]) / dt;
+    const S change = changes[g];
     if (!(now[g] == now[g])) return why = fmt::format("'{}' has no value", guard.name), false;
     if (mode == "closed" && now[g] < -S(1e-9) * press) return why = fmt::format("'{}' would pull", guard.of), false;
     if (mode == "sticks" && now[g] < S(0)) return why = fmt::format("'{}' cannot hold it", guard.of), false;

@@ -67,6 +67,14 @@ class Regime {
     return values;
   }
 
+  /// How guards that are `now` change, `rates` being those of the state: by a look a little later.
+  std::vector<S> guard_rates(const S& t, const Numbers<S>& x, const Numbers<S>& rates, const std::vector<S>& now,
+                             const S& dt) const {
+    std::vector<S> result = guard_values(t + dt, moved(x, rates, dt));
+    for (std::size_t g = 0; g < now.size(); ++g) result[g] = (result[g] - now[g]) / dt;
+    return result;
+  }
+
   Numbers<S> rates(const S& t, const Numbers<S>& x) const {
     Numbers<S> result(x.size(), S(0));
     functions_->rates(t, x.data(), result.data());

@@ -93,9 +93,9 @@ std::vector<S> SlipStart<S>::acceleration(const Beginning& of) const {
   const Numbers<S> x = with_slips();
   const S dt = here_.a_while(S(1e-6), S(1e-3));
   const std::vector<S> now = regime_.guard_values(here_.t, x);
-  const std::vector<S> then = regime_.guard_values(here_.t + dt, moved(x, regime_.rates(here_.t, x), dt));
+  const std::vector<S> rates = regime_.guard_rates(here_.t, x, regime_.rates(here_.t, x), now, dt);
   std::vector<S> result;
-  for (const std::size_t g : of.guards) result.push_back((then[g] - now[g]) / dt);
+  for (const std::size_t g : of.guards) result.push_back(rates[g]);
   return result;
 }
 

@@ -92,13 +92,16 @@ class LeastConstraint {
 
   /// What active rows have to give up for one unit of a reaction along `row`.
   std::vector<S> shares(std::size_t row) const {
+    std::vector<S> right;
+    for (const std::size_t k : active_) right.push_back(couplings_.between(k, row));
+    return solve_dense(active_couplings(), std::move(right));
+  }
+
+  DenseMatrix<S> active_couplings() const {
     DenseMatrix<S> system(active_.size(), active_.size());
-    std::vector<S> right(active_.size());
-    for (std::size_t i = 0; i < active_.size(); ++i) {
-      right[i] = couplings_.between(active_[i], row);
+    for (std::size_t i = 0; i < active_.size(); ++i)
       for (std::size_t j = 0; j < active_.size(); ++j) system(i, j) = couplings_.between(active_[i], active_[j]);
-    }
-    return solve_dense(std::move(system), std::move(right));
+    return system;
   }
 
   /// Reactions grow along `row` until its rate is 0; contacts that would pull leave on the way. False: nothing can bring it there.
@@ -144,13 +147,9 @@ class LeastConstraint {
 
   /// From the rows that are active in the end, to rounding.
   ContactAccelerations<S> finish() {
-    DenseMatrix<S> system(active_.size(), active_.size());
-    std::vector<S> right(active_.size());
-    for (std::size_t i = 0; i < active_.size(); ++i) {
-      right[i] = problem_.right[active_[i]];
-      for (std::size_t j = 0; j < active_.size(); ++j) system(i, j) = couplings_.between(active_[i], active_[j]);
-    }
-    const std::vector<S> found = solve_dense(std::move(system), std::move(right));
+    std::vector<S> right;
+    for (const std::size_t k : active_) right.push_back(problem_.right[k]);
+    const std::vector<S> found = solve_dense(active_couplings(), std::move(right));
     std::fill(reactions_.begin(), reactions_.end(), S(0));
     S size = 0;
     for (std::size_t i = 0; i < active_.size(); ++i) {
