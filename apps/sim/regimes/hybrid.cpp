@@ -212,9 +212,10 @@ void Hybrid<S>::integrate_by(const std::string& method) {
     before_.why.clear();
   }
   MethodSettings<S> settings = setting_.of_method;
-  settings.most_steps -= before_.steps;
   // A slip of 1e-12 has few.
   settings.crosses_lost_digits = method != k_for_stiff;
+  const MethodSettings<S> within_steps = settings;
+  settings.most_steps -= before_.steps;
   if (settings.most_steps <= 0) return stop(Outcome::too_many_steps, "");
   std::string why;
   for (const std::string& name : {method, setting_.method, std::string("prince87")}) {
@@ -227,7 +228,7 @@ void Hybrid<S>::integrate_by(const std::string& method) {
   }
   if (!inner_) return stop(Outcome::bad_settings, why);
   unwatched_ = 0;
-  last_step_.emplace(*regime_, modes_, here_, method_, setting_.of_method);
+  last_step_.emplace(*regime_, modes_, here_, method_, within_steps);
 }
 
 /// Slip in two directions is a root of squares, which no step passes: steps end before, and come near by a tenth each.
