@@ -107,6 +107,7 @@ std::vector<emit::Artefact> sensitivities_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> quantities_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> guards_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> impact_system_artefact(Mechanics& mechanics);
+std::vector<emit::Artefact> load_system_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> poses_artefact(Mechanics& mechanics);
 std::vector<emit::Artefact> taylor_artefact(Mechanics& mechanics);
 

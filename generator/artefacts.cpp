@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "artefact_builder.hpp"
+#include "usual_rank.hpp"
 
 namespace gaussgen {
 
@@ -24,6 +25,7 @@ const std::vector<OutputKind>& output_kinds() {
       {"quantities", "what the model names under 'quantities'"},
       {"impact_system", "inertia and gradients that impulses of contacts and friction act on", false},
       {"guards", "what ends the regime of contacts and friction", false},
+      {"load_system", "what guards judge where more holds than is needed", false},
       {"poses", "where bodies and joints are, and how bodies are turned", false},
       {"inverse_dynamics", "forces and inputs that make given accelerations", false},
       {"jacobian", "derivatives of rhs by state, inputs and time", false},
@@ -70,6 +72,7 @@ std::vector<Artefact> build_artefact(const std::string& name, Mechanics& mechani
   if (name == "quantities") return quantities_artefact(mechanics);
   if (name == "guards") return guards_artefact(mechanics);
   if (name == "impact_system" && has_output(name, mechanics)) return impact_system_artefact(mechanics);
+  if (name == "load_system" && has_output(name, mechanics)) return in_two_ways(load_system_artefact, true, mechanics);
   if (name == "poses") return poses_artefact(mechanics);
   if (name == "taylor" && has_state) return taylor_artefact(mechanics);
   return {};
@@ -86,6 +89,13 @@ bool has_impacts(const model::Model& model) {
          std::all_of(model.frictions.begin(), model.frictions.end(), is_free);
 }
 
+/// Reactions that guards judge are not unique.
+bool shares_loads(Mechanics& mechanics) {
+  const auto& guards = mechanics.model.guards;
+  return std::any_of(guards.begin(), guards.end(), [](const model::Guard& guard) { return !guard.rows.empty(); }) &&
+         has_general_way(mechanics) && usual_rank(mechanics) < mechanics.dynamics.l();
+}
+
 }  // namespace
 
 bool has_output(const std::string& name, Mechanics& mechanics) {
@@ -97,6 +107,7 @@ bool has_output(const std::string& name, Mechanics& mechanics) {
   if (name == "quantities") return !model.quantities.empty();
   if (name == "guards") return !model.guards.empty();
   if (name == "impact_system") return mechanics.dynamics.n() > 0 && has_impacts(model);
+  if (name == "load_system") return shares_loads(mechanics);
   // Accelerations that are given have reactions of their own, and so other forces.
   if (name == "inverse_dynamics" && model::has_reactions_in_forces(model)) return false;
   if (name == "sensitivities") return !model.sensitivities.empty() && !mechanics.options.fold;

@@ -57,6 +57,10 @@ Absence absence_of(const std::string& output, const model::Model& model) {
   if (output == "guards")
     return {"it has no contact, dry friction or link that breaks",
             "nothing ends its regime: remove it from the outputs"};
+  if (output == "load_system") {
+    return {"all reactions that its guards judge are unique, or it has none",
+            "nothing is shared in this regime: remove it from the outputs"};
+  }
   if (output == "impact_system" && model.contacts.size() + model.frictions.size() == 0)
     return {"it has no contact and no dry friction", "nothing hits anything: remove it from the outputs"};
   if (output == "impact_system") {

@@ -10,12 +10,9 @@
 
 namespace gaussgen {
 
-namespace {
-
 using ir::Expr;
 
-/// As the solution has it, with symbols for all of them.
-Expr reaction(const Mechanics& mechanics, const model::NamedReaction& of) {
+Expr reaction_of(const Mechanics& mechanics, const model::NamedReaction& of) {
   if (of.is_absent) return mechanics.expressions.number(0);
   if (!of.is_held) {
     const auto& rows = mechanics.dynamics.constraints;
@@ -31,8 +28,6 @@ Expr reaction(const Mechanics& mechanics, const model::NamedReaction& of) {
   return mechanics.expressions.number(0);
 }
 
-}  // namespace
-
 // r = r_0 + (∂r/∂ρ) ρ with ρ = r: (1 - ∂r/∂ρ) ρ = r_0.
 std::optional<std::vector<Expr>> found_reactions(Mechanics& mechanics) {
   const std::vector<model::NamedReaction>& all = mechanics.model.reactions;
@@ -43,7 +38,7 @@ std::optional<std::vector<Expr>> found_reactions(Mechanics& mechanics) {
   std::vector<Expr> right;
   mechanics.steps.begin("reactions that forces depend on: linear in these forces (theory.md, section 10)");
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Expr r = reaction(mechanics, all[i]);
+    const Expr r = reaction_of(mechanics, all[i]);
     right.push_back(mechanics.steps.name(without(r), "without_friction_" + all[i].of));
     matrix.emplace_back();
     for (std::size_t j = 0; j < all.size(); ++j) {

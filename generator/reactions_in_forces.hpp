@@ -5,10 +5,14 @@
 #include <vector>
 
 #include "ir/expr.hpp"
+#include "model/model.hpp"
 
 namespace gaussgen {
 
 struct Mechanics;
+
+/// As the solution of `mechanics` has it; 0 where there is none in this regime.
+ir::Expr reaction_of(const Mechanics& mechanics, const model::NamedReaction& of);
 
 /// Each reaction of Model::reactions as a function of the state: `mechanics` was formed with symbols in their place, in which its
 /// solution is linear. Nothing where more of them depend on each other than are written out, or where they say nothing of each other

@@ -220,8 +220,8 @@ Expr Expressions::resolved(const std::string& name) {
     case model::SymbolKind::axis: return axis(ref.index);
     case model::SymbolKind::slip: return slip(ref.index / 2, ref.index % 2);
     case model::SymbolKind::reaction:
-      if (model_.reactions[ref.index].is_absent)
-        return shows_absent_ ? symbol(symbols_.reactions[ref.index]) : number(0);
+      if (shows_reactions_) return symbol(symbols_.reactions[ref.index]);
+      if (model_.reactions[ref.index].is_absent) return number(0);
       return reactions_.empty() ? symbol(symbols_.reactions[ref.index]) : reactions_[ref.index];
   }
   return number(0);

@@ -61,8 +61,8 @@ class Expressions {
 
   ir::Graph& graph() const { return graph_; }
 
-  /// Whether reactions that there are none of in this regime are their symbols, as functions of which limits of friction are asked for.
-  void show_absent(bool shows) { shows_absent_ = shows; }
+  /// As functions of reactions limits of friction are asked for: whether these are their symbols, even where there are none of in this regime.
+  void show_reactions(bool as_symbols) { shows_reactions_ = as_symbols; }
 
   /// What stands for the reactions of the model from now on; before, they are their symbols.
   void set_reactions(std::vector<ir::Expr> reactions) { reactions_ = std::move(reactions); }
@@ -108,7 +108,7 @@ class Expressions {
   Frames* seen_ = &frames_;          ///< of which places and axes in expressions are
   bool looks_for_carriers_ = false;  ///< in an expression with places, as long as they are those in space
   PlaceSymbols* watched_ = nullptr;
-  bool shows_absent_ = false;
+  bool shows_reactions_ = false;
   std::vector<ir::Expr> reactions_;  ///< empty: they are not found yet
 };
 

@@ -33,6 +33,7 @@ void hold_coordinates(Holder& hold, Kinematics& kinematics) {
   hold(kinematics.other_force);
   hold(kinematics.carried_force);
   for (Expr& guard : kinematics.guards) hold(guard);
+  for (Expr& limit : kinematics.guard_limits) hold(limit);
   for (ConstraintRow& row : kinematics.switches.contacts) hold(row);
   for (std::vector<ConstraintRow>& rows : kinematics.switches.frictions) {
     for (ConstraintRow& row : rows) hold(row);

@@ -64,6 +64,7 @@ class Builder {
                       {},
                       {},
                       {},
+                      {},
                       {}};
     for (const model::Constraint& constraint : model_.constraints) {
       result.constraints.push_back(constraint_row(constraint));
@@ -92,7 +93,10 @@ class Builder {
       result.quantities.emplace_back();
       for (const model::Ast& value : quantity.values) result.quantities.back().push_back(expressions_(value));
     }
-    for (const model::Guard& guard : model_.guards) result.guards.push_back(expressions_(guard.value));
+    for (const model::Guard& guard : model_.guards) {
+      result.guards.push_back(expressions_(guard.value));
+      result.guard_limits.push_back(guard.limit ? over_reactions(*guard.limit) : number(0));
+    }
     expressions_.carry_velocities(false);
     if (model_.is_ground) result.switches = switch_rows();
     return result;
@@ -213,9 +217,7 @@ class Builder {
   }
 
   std::vector<Expr> limits_per_reaction(const model::DryFriction& friction) {
-    expressions_.show_absent(true);
-    const Expr limit = expressions_(friction.law.limit);
-    expressions_.show_absent(false);
+    const Expr limit = over_reactions(friction.law.limit);
     std::vector<Expr> limits;
     for (const model::Contact& contact : model_.contacts) {
       const auto known = model_.symbols.find(contact.name.text + ".reaction");
@@ -223,6 +225,13 @@ class Builder {
                                                      : ir::partial(limit, symbols_.reactions[known->second.index]));
     }
     return limits;
+  }
+
+  Expr over_reactions(const model::Ast& limit) {
+    expressions_.show_reactions(true);
+    const Expr result = expressions_(limit);
+    expressions_.show_reactions(false);
+    return result;
   }
 
   ConstraintRow empty_row(const model::Constraint& constraint) const {

@@ -129,6 +129,7 @@ struct Kinematics {
   support::Indexed<HeldIndex, ir::Expr> held_acceleration;  ///< c̈^i
   std::vector<std::vector<ir::Expr>> quantities;            ///< parallel to Model::quantities
   std::vector<ir::Expr> guards;                             ///< parallel to Model::guards
+  std::vector<ir::Expr> guard_limits;                       ///< likewise, over symbols of reactions; 0 without one
   SwitchRows switches;                                      ///< of a ground regime
   std::vector<BodyLoad> loads;                              ///< of bodies
   support::Lazy<ir::Expr> other_potential;                  ///< J; without fields

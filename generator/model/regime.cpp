@@ -70,14 +70,22 @@ class Guards {
   }
 
  private:
-  void add(const Name& of, const std::string& what, Guard::Kind kind, Ast value) {
-    model_.guards.push_back({of.text + "_" + what, of, kind, std::move(value)});
+  Guard& add(const Name& of, const std::string& what, Guard::Kind kind, Ast value) {
+    return model_.guards.emplace_back(Guard{of.text + "_" + what, of, kind, std::move(value)});
+  }
+
+  void add_limited(const Name& of, const std::string& what, const Ast& limit, std::vector<Name> rows) {
+    Guard& guard = add(of, what, Guard::Kind::falls, margin_of(limit, rows));
+    guard.rows = std::move(rows);
+    guard.limit = limit;
   }
 
   void of(const Contact& contact) {
-    if (contact.mode == Mode::closed)
-      return add(contact.name, "opens", Guard::Kind::falls,
-                 symbol_of(contact.name.text + ".reaction", contact.name.span));
+    if (contact.mode == Mode::closed) {
+      add(contact.name, "opens", Guard::Kind::falls, symbol_of(contact.name.text + ".reaction", contact.name.span))
+          .rows = {contact.name};
+      return;
+    }
     add(contact.name, "closes", Guard::Kind::falls, contact.gap);
     add(contact.name, "gap_rate", Guard::Kind::rate_of_gap, call_of("dot", contact.gap));
   }
@@ -87,9 +95,7 @@ class Guards {
     const bool has_own = friction.mode == Mode::sticks && friction.static_limit;
     const Ast& limit = has_own ? *friction.static_limit : friction.law.limit;
     if (!is_never_negative(limit, model_)) add(friction.name, "limit", Guard::Kind::falls, limit);
-    if (friction.mode == Mode::sticks) {
-      return add(friction.name, "slides", Guard::Kind::falls, margin_of(limit, friction.rows));
-    }
+    if (friction.mode == Mode::sticks) return add_limited(friction.name, "slides", limit, friction.rows);
     for (std::size_t i = 0; i < friction.law.slips.size(); ++i) {
       const std::string slip = fmt::format("slip{}", i + 1);
       add(friction.name, slip, Guard::Kind::slip, symbol_of(friction.name.text + "." + slip, friction.name.span));
@@ -106,7 +112,7 @@ class Guards {
     for (const Constraint& other : model_.constraints) {
       if (name_in_file(other) == name) rows.push_back(other.name);
     }
-    add({name, row.name.span}, "breaks", Guard::Kind::falls, margin_of(*row.breaks_at, rows));
+    add_limited({name, row.name.span}, "breaks", *row.breaks_at, std::move(rows));
   }
 
   Model& model_;

@@ -9,6 +9,8 @@
 
 namespace gausssim {
 
+using gauss::event::magnitude_of;
+
 namespace {
 
 constexpr int k_halvings = 3;  ///< of steps within which a guard may dip
@@ -50,7 +52,7 @@ std::optional<typename GuardedStep<S>::Fired> GuardedStep<S>::first(const S& slo
   Fired fired{std::min_element(found.begin(), found.end())->first, {}};
   // Those of one instant are one event.
   const S together =
-      std::max(S(S(1e-12) * (to_.t - from_.t)), S(4 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(fired.t)));
+      std::max(S(S(1e-12) * (to_.t - from_.t)), S(4 * gauss::Math<S>::epsilon() * magnitude_of(fired.t)));
   for (const auto& [at, guard] : found)
     if (at <= fired.t + together) fired.guards.push_back(guard);
   return fired;
@@ -77,13 +79,15 @@ void GuardedStep<S>::look_at_guards(Place& place) const {
 /// where it is far above 0 beside its changes, or right at half of the step.
 template <class S>
 std::optional<typename GuardedStep<S>::Place> GuardedStep<S>::dip(const Watched& one, const Place& low,
-                                                                  const Place& high, int depth) const {
+                                                                  const Place& high, const S& slow, int depth) const {
   const std::size_t g = one.guard;
   const S h = high.t - low.t;
   const gauss::event::Ends<S> ends{one.sense * low.values[g], h * one.sense * low.rates[g], one.sense * high.values[g],
                                    h * one.sense * high.rates[g]};
   const S least = ends.least_control();
   if (least > ends.largest_control() - least) return std::nullopt;
+  // Slip that begins, but for rounding, begins.
+  if (one.is_slip && magnitude_of(low.values[g]) <= slow && !(least < -slow)) return std::nullopt;
   if (depth == 0) {
     const std::optional<S> part = gauss::event::least_inside(ends);
     if (!part || !(ends(*part) < S(0))) return std::nullopt;
@@ -92,10 +96,10 @@ std::optional<typename GuardedStep<S>::Place> GuardedStep<S>::dip(const Watched&
   }
   std::optional<Place> middle = place_at(low.t + h / 2);
   if (!middle || one.sense * middle->values[g] < S(0)) return middle;
-  const S off = gauss::event::magnitude_of(S(one.sense * middle->values[g] - ends(S(0.5))));
+  const S off = magnitude_of(S(one.sense * middle->values[g] - ends(S(0.5))));
   if (least > 4 * off) return std::nullopt;
-  if (auto found = dip(one, low, *middle, depth - 1)) return found;
-  return dip(one, *middle, high, depth - 1);
+  if (auto found = dip(one, low, *middle, slow, depth - 1)) return found;
+  return dip(one, *middle, high, slow, depth - 1);
 }
 
 template <class S>
@@ -126,11 +130,11 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
   const S h = to_.t - from_.t, begin = one.sense * from_.values[g], end = one.sense * to_.values[g];
   const auto value = [&](const S& at) { return value_at(at, one); };
   // A slip that others hold at 0 is that but for rounding.
-  if (one.is_slip && gauss::event::magnitude_of(begin) <= slow && gauss::event::magnitude_of(end) <= slow)
+  if (one.is_slip && magnitude_of(begin) <= slow && magnitude_of(end) <= slow)
     return std::nullopt;
   S high = to_.t, high_value = end;
   if (!(end < S(0))) {
-    const std::optional<Place> below = dip(one, from_, to_, k_halvings);
+    const std::optional<Place> below = dip(one, from_, to_, slow, k_halvings);
     if (!below) return std::nullopt;
     high = below->t;
     high_value = one.sense * below->values[g];
@@ -153,7 +157,7 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
       high_value = found;
     }
   }
-  const S nearness = std::max(S(S(1e-13) * h), S(2 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(to_.t)));
+  const S nearness = std::max(S(S(1e-13) * h), S(2 * gauss::Math<S>::epsilon() * magnitude_of(to_.t)));
   const S at =
       low_value > S(0) ? gauss::event::falls_through(low, low_value, high, high_value, nearness, value) : from_.t;
   return first_hit(one, at, last, slow, nearness);

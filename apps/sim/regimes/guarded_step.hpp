@@ -52,7 +52,7 @@ class GuardedStep {
   std::optional<S> crossing(const Watched& one, const S& slow) const;
   bool is_hit(const Watched& one, const S& at, const S& slow) const;
   std::optional<S> first_hit(const Watched& one, S low, S high, const S& slow, const S& nearness) const;
-  std::optional<Place> dip(const Watched& one, const Place& low, const Place& high, int depth) const;
+  std::optional<Place> dip(const Watched& one, const Place& low, const Place& high, const S& slow, int depth) const;
   std::optional<Place> place_at(const S& t) const;
   S value_at(const S& t, const Watched& one) const;
 

@@ -70,7 +70,8 @@ template <class S>
 std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contacts() {
   std::vector<Opens> all(1);
   if (touching_.size() > 1) {
-    if (const auto opens = choice_of_least_constraint())
+    least_constraint_ = choice_of_least_constraint();
+    if (const auto& opens = *least_constraint_)
       all.insert(switches_.frictions.empty() ? all.begin() : all.end(), *opens);
   }
   if (touching_.size() > k_most_touching) return all;
@@ -81,6 +82,14 @@ std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contact
     all.push_back(std::move(opens));
   }
   return all;
+}
+
+/// Friction is left to contacts that are pressed without it.
+template <class S>
+void RegimeChoice<S>::tell_unloaded(Regime<S>& regime) {
+  if (!regime.shared_loads().are_possible()) return;
+  if (!least_constraint_) least_constraint_ = choice_of_least_constraint();
+  regime.shared_loads().know_unloaded(least_constraint_->value_or(Opens{}));
 }
 
 /// Without friction, which may change it.
@@ -176,6 +185,7 @@ std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, con
   if (next.regime == nullptr) return std::nullopt;
   if (!next.regime->project(here_.t, next.x))
     return why = "no state is near that satisfies its constraints", std::nullopt;
+  tell_unloaded(*next.regime);
   std::vector<std::size_t> beginning;
   for (std::size_t f = 0; f < switches_.frictions.size(); ++f)
     if (switches_.frictions[f].slips > 1 && modes.at(switches_.frictions[f].name) == "slides" && rests(f))

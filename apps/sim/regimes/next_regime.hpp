@@ -41,6 +41,7 @@ class RegimeChoice {
 
   std::vector<Opens> choices_of_contacts();
   std::optional<Opens> choice_of_least_constraint();
+  void tell_unloaded(Regime<S>& regime);
   bool is_allowed(const Opens& opens) const;
   bool is_banned(const std::string& name, const std::string& mode) const;
   bool rests(std::size_t friction) const;
@@ -56,6 +57,7 @@ class RegimeChoice {
   const Instant<S>& here_;
   const std::map<std::string, std::string>& banned_;
   std::vector<std::size_t> touching_;  ///< contacts that may be closed: they touch, and do not part
+  std::optional<std::optional<Opens>> least_constraint_;  ///< once it is asked for
   S free_ = 0;                         ///< the largest acceleration while nothing holds
   std::size_t tried_ = 0;
   std::string overloaded_;

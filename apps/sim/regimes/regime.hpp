@@ -9,6 +9,7 @@
 #include "gauss/event/dense.hpp"
 #include "sim/output/sampler.hpp"
 #include "sim/regimes/regime_source.hpp"
+#include "sim/regimes/shared_loads.hpp"
 
 namespace gausssim {
 
@@ -44,6 +45,7 @@ class Regime {
         motion_(functions_),
         guards_(bound("guards")),
         impact_system_(bound("impact_system")),
+        shared_loads_(bound("load_system"), functions_->n_v, model_->guards, model_->fixed_reactions),
         sampler_(*engine_, model_->model, model_->columns, *functions_),
         row_(sampler_.size()) {
     // Others may take some of it.
@@ -59,7 +61,9 @@ class Regime {
   /// In the order of guards().
   void fill_guards(const S& t, const Numbers<S>& x, std::vector<S>& values) const {
     values.resize(model_->guards.size());
-    if (guards_ && !values.empty()) guards_(t, x.data(), values.data());
+    if (!guards_ || values.empty()) return;
+    guards_(t, x.data(), values.data());
+    shared_loads_.judge(t, x, values);
   }
   std::vector<S> guard_values(const S& t, const Numbers<S>& x) const {
     std::vector<S> values;
@@ -91,6 +95,8 @@ class Regime {
     return true;
   }
 
+  SharedLoads<S>& shared_loads() { return shared_loads_; }
+
   /// As the generator's `impact_system` fills it; false without one.
   bool impact_system(const S& t, const Numbers<S>& x, std::vector<S>& filled) const {
     return impact_system_ && gauss::integrate::is_motion_known(impact_system_(t, x.data(), filled.data()));
@@ -115,6 +121,7 @@ class Regime {
   std::shared_ptr<Functions<S>> functions_;
   MotionModel<S> motion_;
   Callable<S> guards_, impact_system_;
+  SharedLoads<S> shared_loads_;
   Sampler<S> sampler_;
   std::vector<S> row_;
 };

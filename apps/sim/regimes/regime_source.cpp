@@ -48,6 +48,7 @@ namespace {
 struct Derived {
   Described model;
   std::vector<GuardOf> guards;
+  std::vector<char> fixed_reactions;
 };
 
 std::optional<Derived> derived(const gaussgen::support::Source& text, gaussgen::PipelineOptions options,
@@ -56,6 +57,7 @@ std::optional<Derived> derived(const gaussgen::support::Source& text, gaussgen::
   options.adjust = [&](model::Model& read) {
     adjust(read);
     result.guards = guards_of(read);
+    result.fixed_reactions = reactions_in_forces(read);
   };
   gaussgen::support::Source own = text;
   gaussgen::support::Diagnostics found;
@@ -119,6 +121,7 @@ std::shared_ptr<const RegimeModel> RegimeSource::at(const Modes& modes, std::str
   const std::shared_ptr<void> meanwhile = while_making_();
   gaussgen::PipelineOptions options = options_;
   options.choices.regime = modes;
+  options.where_possible.emplace_back("load_system");
   if (slides_in_two_directions(modes)) options.where_possible.emplace_back("jacobian");
   auto model = derived(text_, options, adjust_, why);
   if (!model) {
@@ -129,6 +132,7 @@ std::shared_ptr<const RegimeModel> RegimeSource::at(const Modes& modes, std::str
   auto regime = std::make_shared<RegimeModel>();
   regime->model = std::move(model->model);
   regime->guards = std::move(model->guards);
+  regime->fixed_reactions = std::move(model->fixed_reactions);
   choose(columns_, *regime);
   regime->engine = make_engine_(regime->model, regime->columns);
   known_->models[modes] = regime;

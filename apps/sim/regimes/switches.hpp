@@ -44,8 +44,13 @@ Modes ground_of(const Switches& switches);
 struct GuardOf {
   std::string name, of;
   gaussgen::model::Guard::Kind kind = gaussgen::model::Guard::Kind::falls;
+  std::vector<std::size_t> rows = {};  ///< constraints of the model whose reactions it judges
+  bool has_limit = false, is_brittle = false;
 };
 
 std::vector<GuardOf> guards_of(const gaussgen::model::Model& model);
+
+/// Of each constraint: whether a force contains its reaction.
+std::vector<char> reactions_in_forces(const gaussgen::model::Model& model);
 
 }  // namespace gausssim

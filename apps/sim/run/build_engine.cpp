@@ -45,7 +45,7 @@ std::unique_ptr<Engine> build_engine(const PreparedModel& prepared, EngineChoice
   }
   PluginRequest request;
   request.functions = {"prepare",   "rhs",      "project", "project_positions", "project_speeds", "energy",
-                       "residuals", "jacobian", "guards",  "impact_system"};
+                       "residuals", "jacobian", "guards",  "impact_system", "load_system"};
   const std::vector<std::string> sampled = names_of(prepared.columns.functions);
   request.functions.insert(request.functions.end(), sampled.begin(), sampled.end());
   if (prepared.span.samples >= k_many_samples) request.sampled = sampled;

@@ -1,0 +1,68 @@
+#pragma once
+// Guards of reactions that are not unique: what they are of the share of the load that leaves the most to all (docs/regimes.md).
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gauss/event/load_shares.hpp"
+#include "sim/engine/binding.hpp"
+#include "sim/regimes/switches.hpp"
+
+namespace gausssim {
+
+template <class S>
+class SharedLoads {
+ public:
+  /// `load_system`: as the generator emits it of regimes that hold more than is needed; without a function all guards stand.
+  /// `guards` and `fixed` outlive this.
+  SharedLoads(Callable<S> load_system, std::size_t speeds, const std::vector<GuardOf>& guards,
+              const std::vector<char>& fixed)
+      : load_system_(std::move(load_system)), speeds_(speeds), guards_(guards), fixed_(fixed) {}
+
+  bool are_possible() const { return static_cast<bool>(load_system_); }
+
+  /// Contacts that nothing presses but friction, from now on.
+  void know_unloaded(std::set<std::string> contacts) { unloaded_ = std::move(contacts); }
+
+  /// Puts margins in place of values of such guards: in N, or N*m, and below 0 where no share holds.
+  void judge(const S& t, const Numbers<S>& x, std::vector<S>& values) const {
+    if (!load_system_) return;
+    std::vector<std::size_t> places;
+    for (std::size_t g = 0; g < guards_.size(); ++g)
+      if (!guards_[g].rows.empty()) places.push_back(g);
+    const std::size_t n = speeds_, l = fixed_.size(), k = places.size();
+    std::vector<S> filled(n * n + l * n + l + k + k * l, S(0));
+    if (!gauss::integrate::is_motion_known(load_system_(t, x.data(), filled.data()))) return;
+    gauss::event::LoadProblem<S> problem;
+    problem.speeds = n;
+    problem.is_fixed = fixed_;
+    std::vector<S> limits, per_reaction;
+    auto next = static_cast<const S*>(filled.data());
+    for (const auto& [part, size] : {std::pair{&problem.metric, n * n}, std::pair{&problem.rows, l * n},
+                                     std::pair{&problem.reactions, l}, std::pair{&limits, k}, std::pair{&per_reaction, k * l}}) {
+      part->assign(next, next + size);
+      next += size;
+    }
+    for (std::size_t i = 0; i < k; ++i) {
+      const GuardOf& guard = guards_[places[i]];
+      const auto own = per_reaction.begin() + static_cast<std::ptrdiff_t>(i * l);
+      problem.judged.push_back({guard.rows, guard.has_limit, limits[i], {own, own + static_cast<std::ptrdiff_t>(l)},
+                                guard.is_brittle, unloaded_.count(guard.of) > 0});
+    }
+    const std::vector<std::optional<S>> margins = gauss::event::LoadShares<S>(problem).margins();
+    for (std::size_t i = 0; i < k; ++i)
+      if (margins[i]) values[places[i]] = *margins[i];
+  }
+
+ private:
+  Callable<S> load_system_;
+  std::size_t speeds_;
+  const std::vector<GuardOf>& guards_;
+  const std::vector<char>& fixed_;
+  std::set<std::string> unloaded_;
+};
+
+}  // namespace gausssim

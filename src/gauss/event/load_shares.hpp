@@ -1,0 +1,469 @@
+// How a load is shared by more reactions than the motion needs, and whether they can bear it (docs/theory.md, section 11).
+// SPDX-License-Identifier: MIT
+#ifndef GAUSS_EVENT_LOAD_SHARES_HPP
+#define GAUSS_EVENT_LOAD_SHARES_HPP
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "gauss/event/dense.hpp"
+#include "gauss/event/least_constraint.hpp"
+#include "gauss/event/null_space.hpp"
+
+namespace gauss::event {
+
+/// A contact, which only presses; or what bears no more than its limit: friction that sticks, with a row for each of its slips, or a link.
+template <class S>
+struct JudgedLoad {
+  std::vector<std::size_t> rows;
+  bool has_limit = false;       ///< else a contact
+  S limit = 0;                  ///< without reactions
+  std::vector<S> per_reaction;  ///< how much more it is, for each row of the problem
+  bool is_brittle = false;      ///< it leaves nothing to others, as a link that breaks
+  bool is_unloaded = false;     ///< a contact that nothing presses but friction
+};
+
+/// Reactions along rows, which are gradients by the speeds and stand one after another; some follow from others.
+template <class S>
+struct LoadProblem {
+  std::size_t speeds = 0;
+  std::vector<S> metric;     ///< speeds × speeds, positive definite
+  std::vector<S> rows;
+  std::vector<S> reactions;  ///< one choice of them
+  std::vector<char> is_fixed;  ///< of each row: forces contain its reaction, and would be others
+  std::vector<JudgedLoad<S>> judged;
+
+  std::size_t count() const { return reactions.size(); }
+};
+
+/// Of all reactions that make the same motion: equal stiffness of all that holds tells the part of what is brittle, the least reactions in the metric of masses. Of the rest those count that leave
+/// the most to what is nearest to its limit: friction and contacts give way without losing what they bear, so they hold if there is any choice in which all of them do (the static theorem of
+/// limit analysis; W. Prager and P. G. Hodge, Theory of Perfectly Plastic Solids, 1951, chapter 8).
+template <class S>
+class LoadShares {
+ public:
+  explicit LoadShares(const LoadProblem<S>& problem) : problem_(problem), basis_(open_directions()) {
+    for (std::size_t k = 0; k < problem.count(); ++k) reactions_.push_back(problem.reactions[k] * norms_[k]);
+    narrow(fixed_rows());
+    for (std::size_t i = 0; i < problem.judged.size(); ++i) is_open_.push_back(depends(i) ? 1 : 0);
+    move(least_change(all_rows()));
+    narrow(brittle_rows());
+    unload();
+    leave_idle_friction();
+  }
+
+  /// Of each judged load, nothing where its reactions are unique; else how much is left to it, in the unit of its reaction: below 0 where no choice holds.
+  std::vector<std::optional<S>> margins() {
+    std::vector<std::optional<S>> result(problem_.judged.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (is_open_[i] != 0) result[i] = is_idle(i) ? size() / norm(i) : margin(i) / norm(i);
+    std::vector<Bound> bounds;
+    for (std::vector<std::size_t> rest = movable(); !rest.empty();) {
+      const Level level = highest(rest, bounds);
+      for (const std::size_t i : rest) result[i] = margin(i) / norm(i);
+      // What ends with others ends with them to the last digit.
+      for (const std::size_t i : level.bound) {
+        result[i] = level.least / norm(i);
+        bounds.push_back({i, level.least});
+        rest.erase(std::find(rest.begin(), rest.end(), i));
+      }
+      if (!(level.least < S(0)) || level.bound.empty()) break;
+    }
+    return result;
+  }
+
+ private:
+  using Indices = std::vector<std::size_t>;
+
+  /// A plane above a margin: exact for contacts and friction in one direction, and a tangent for what has more.
+  struct Cut {
+    std::size_t of;
+    S value;  ///< where nothing has moved
+    std::vector<S> slope;
+  };
+  /// What no choice leaves more margin to.
+  struct Level {
+    S least;
+    Indices bound;
+  };
+  struct Bound {
+    std::size_t of;
+    S margin;
+  };
+
+  static S none() { return std::max(S(1e-9), S(64 * Math<S>::epsilon())); }
+
+  DenseMatrix<S> open_directions() {
+    const DenseMatrix<S> scaled = in_metric(problem_.metric, problem_.rows, problem_.speeds, problem_.count());
+    DenseMatrix<S> columns(problem_.speeds, problem_.count());
+    for (std::size_t k = 0; k < problem_.count(); ++k) {
+      S square = 0;
+      for (std::size_t i = 0; i < problem_.speeds; ++i) square += scaled(k, i) * scaled(k, i);
+      norms_.push_back(square > S(0) ? Math<S>::sqrt(square) : S(1));
+      for (std::size_t i = 0; i < problem_.speeds; ++i) columns(i, k) = scaled(k, i) / norms_[k];
+    }
+    return null_space(columns, none());
+  }
+
+  std::size_t open() const { return basis_.columns; }
+  const S& norm(std::size_t i) const { return norms_[problem_.judged[i].rows.front()]; }
+
+  Indices all_rows() const {
+    Indices result(problem_.count());
+    for (std::size_t k = 0; k < result.size(); ++k) result[k] = k;
+    return result;
+  }
+  Indices fixed_rows() const {
+    Indices result;
+    for (std::size_t k = 0; k < problem_.count(); ++k)
+      if (problem_.is_fixed[k] != 0) result.push_back(k);
+    return result;
+  }
+  Indices brittle_rows() const {
+    Indices result;
+    for (const JudgedLoad<S>& one : problem_.judged)
+      if (one.is_brittle) result.insert(result.end(), one.rows.begin(), one.rows.end());
+    return result;
+  }
+
+  DenseMatrix<S> part_of_basis(const Indices& rows) const {
+    DenseMatrix<S> part(rows.size(), open());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < open(); ++j) part(i, j) = basis_(rows[i], j);
+    return part;
+  }
+
+  /// To what leaves these rows as they are.
+  void narrow(const Indices& rows) {
+    if (rows.empty() || open() == 0) return;
+    const DenseMatrix<S> kept = null_space(part_of_basis(rows), none());
+    DenseMatrix<S> narrowed(problem_.count(), kept.columns);
+    for (std::size_t k = 0; k < problem_.count(); ++k)
+      for (std::size_t j = 0; j < kept.columns; ++j)
+        for (std::size_t i = 0; i < open(); ++i) narrowed(k, j) += basis_(k, i) * kept(i, j);
+    basis_ = std::move(narrowed);
+  }
+
+  /// That leaves least of these rows.
+  std::vector<S> least_change(const Indices& rows) const {
+    const DenseMatrix<S> part = part_of_basis(rows);
+    DenseMatrix<S> normal(open(), open());
+    std::vector<S> right(open(), S(0));
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      for (std::size_t i = 0; i < open(); ++i) {
+        right[i] -= part(r, i) * reactions_[rows[r]];
+        for (std::size_t j = 0; j < open(); ++j) normal(i, j) += part(r, i) * part(r, j);
+      }
+    }
+    return solve_dense(std::move(normal), std::move(right));
+  }
+
+  void move(const std::vector<S>& change) {
+    for (std::size_t k = 0; k < problem_.count(); ++k)
+      for (std::size_t j = 0; j < open(); ++j) reactions_[k] += basis_(k, j) * change[j];
+  }
+
+  /// Its limit and forces, in units of the first row.
+  S limit_at(std::size_t i) const {
+    const JudgedLoad<S>& one = problem_.judged[i];
+    S sum = one.limit;
+    for (std::size_t k = 0; k < problem_.count(); ++k) sum += one.per_reaction[k] * reactions_[k] / norms_[k];
+    return norm(i) * sum;
+  }
+  S limit_slope(std::size_t i, std::size_t j) const {
+    const JudgedLoad<S>& one = problem_.judged[i];
+    S sum = 0;
+    for (std::size_t k = 0; k < problem_.count(); ++k) sum += one.per_reaction[k] * basis_(k, j) / norms_[k];
+    return norm(i) * sum;
+  }
+  std::vector<S> forces_at(std::size_t i) const {
+    std::vector<S> result;
+    for (const std::size_t k : problem_.judged[i].rows) result.push_back(norm(i) * reactions_[k] / norms_[k]);
+    return result;
+  }
+  static S length(const std::vector<S>& v) {
+    S square = 0;
+    for (const S& one : v) square += one * one;
+    return Math<S>::sqrt(square);
+  }
+  S margin(std::size_t i) const {
+    const std::vector<S> forces = forces_at(i);
+    return problem_.judged[i].has_limit ? S(limit_at(i) - length(forces)) : forces.front();
+  }
+
+  bool depends(std::size_t i) const {
+    for (std::size_t j = 0; j < open(); ++j) {
+      for (const std::size_t k : problem_.judged[i].rows)
+        if (magnitude_of(basis_(k, j)) > none()) return true;
+      if (problem_.judged[i].has_limit && magnitude_of(limit_slope(i, j)) > none()) return true;
+    }
+    return false;
+  }
+
+  /// Of what there is, to tell what is none.
+  S size() const {
+    S result = 0;
+    for (std::size_t i = 0; i < problem_.judged.size(); ++i) {
+      result = std::max(result, length(forces_at(i)));
+      if (problem_.judged[i].has_limit) result = std::max(result, magnitude_of(limit_at(i)));
+    }
+    return result > S(0) ? result : S(1);
+  }
+
+  /// Contacts whose reactions against each other may grow without end have none of that where nothing else presses them: a body that just fits between two walls
+  /// is not held by them.
+  void unload() {
+    Indices unloaded;
+    for (std::size_t i = 0; i < problem_.judged.size(); ++i) {
+      const JudgedLoad<S>& one = problem_.judged[i];
+      if (!one.has_limit && one.is_unloaded && is_open_[i] != 0 && may_jam(i)) unloaded.push_back(one.rows.front());
+    }
+    if (unloaded.empty()) return;
+    move(least_change(unloaded));
+    narrow(unloaded);
+  }
+
+  /// Whether there are reactions without a load in which this contact presses and all others hold: what is nearest to its own direction among these.
+  bool may_jam(std::size_t contact) const {
+    std::vector<S> wish(open());
+    for (std::size_t j = 0; j < open(); ++j) wish[j] = basis_(problem_.judged[contact].rows.front(), j);
+    std::vector<S> at(open(), S(0));
+    std::vector<Cut> cuts = first_cuts(movable());
+    for (int pass = 0; pass < k_passes; ++pass) {
+      ContactProblem<S> nearest;
+      nearest.speeds = open();
+      nearest.metric = DenseMatrix<S>(open(), open()).entries;
+      for (std::size_t j = 0; j < open(); ++j) nearest.metric[j * open() + j] = S(1);
+      for (const Cut& cut : cuts) {
+        S value = 0;
+        for (std::size_t j = 0; j < open(); ++j) value += cut.slope[j] * wish[j];
+        nearest.rows.insert(nearest.rows.end(), cut.slope.begin(), cut.slope.end());
+        nearest.right.push_back(-value);
+      }
+      const ContactAccelerations<S> found = LeastConstraint<S>(nearest).solve();
+      if (!found.is_found) return false;
+      for (std::size_t j = 0; j < open(); ++j) at[j] = wish[j] + found.change[j];
+      if (!(length(at) > S(1e-6) * length(wish))) return false;
+      if (!add_tangents(at, true, S(none() * length(at)), cuts)) return true;
+    }
+    return true;
+  }
+
+  /// Friction whose contacts bear nothing bears nothing.
+  void leave_idle_friction() {
+    idle_.assign(problem_.judged.size(), 0);
+    Indices idle;
+    for (std::size_t i = 0; i < problem_.judged.size(); ++i) {
+      const JudgedLoad<S>& one = problem_.judged[i];
+      if (!one.has_limit || is_open_[i] == 0 || !(magnitude_of(limit_at(i)) <= none() * size())) continue;
+      bool is_fixed = true;
+      for (std::size_t j = 0; j < open(); ++j) is_fixed = is_fixed && magnitude_of(limit_slope(i, j)) <= none();
+      if (!is_fixed) continue;
+      idle_[i] = 1;
+      idle.insert(idle.end(), one.rows.begin(), one.rows.end());
+    }
+    if (idle.empty()) return;
+    move(least_change(idle));
+    narrow(idle);
+  }
+
+  /// It neither bears anything nor can.
+  bool is_idle(std::size_t i) const {
+    const JudgedLoad<S>& one = problem_.judged[i];
+    const bool cannot = one.has_limit ? idle_[i] != 0 : one.is_unloaded && !depends(i);
+    return cannot && length(forces_at(i)) <= none() * size();
+  }
+
+  Indices movable() const {
+    Indices result;
+    for (std::size_t i = 0; i < problem_.judged.size(); ++i)
+      if (is_open_[i] != 0 && depends(i)) result.push_back(i);
+    return result;
+  }
+
+  Cut cut_along(std::size_t i, const std::vector<S>& direction) const {
+    const JudgedLoad<S>& one = problem_.judged[i];
+    const S sense = one.has_limit ? S(-1) : S(1);
+    Cut cut{i, one.has_limit ? limit_at(i) : S(0), std::vector<S>(open(), S(0))};
+    const std::vector<S> forces = forces_at(i);
+    for (std::size_t r = 0; r < one.rows.size(); ++r) cut.value += sense * direction[r] * forces[r];
+    for (std::size_t j = 0; j < open(); ++j) {
+      if (one.has_limit) cut.slope[j] = limit_slope(i, j);
+      for (std::size_t r = 0; r < one.rows.size(); ++r)
+        cut.slope[j] += sense * direction[r] * norm(i) * basis_(one.rows[r], j) / norms_[one.rows[r]];
+    }
+    return cut;
+  }
+
+  std::vector<Cut> first_cuts(const Indices& of) const {
+    std::vector<Cut> cuts;
+    for (const std::size_t i : of) {
+      const std::size_t count = problem_.judged[i].rows.size();
+      for (std::size_t r = 0; r < count; ++r) {
+        std::vector<S> direction(count, S(0));
+        direction[r] = S(1);
+        cuts.push_back(cut_along(i, direction));
+        direction[r] = S(-1);
+        if (problem_.judged[i].has_limit) cuts.push_back(cut_along(i, direction));
+      }
+    }
+    return cuts;
+  }
+
+  /// Where forces in several directions are more than planes so far say, by more than `least`. False: nowhere. `is_rate`: of loads that grow along `at`.
+  bool add_tangents(const std::vector<S>& at, bool is_rate, const S& least, std::vector<Cut>& cuts) const {
+    bool is_added = false;
+    for (const std::size_t i : movable()) {
+      const JudgedLoad<S>& one = problem_.judged[i];
+      if (!one.has_limit || one.rows.size() == 1) continue;
+      std::vector<S> forces = forces_at(i);
+      for (std::size_t r = 0; r < one.rows.size(); ++r) {
+        if (is_rate) forces[r] = S(0);
+        for (std::size_t j = 0; j < open(); ++j) forces[r] += norm(i) * basis_(one.rows[r], j) * at[j] / norms_[one.rows[r]];
+      }
+      const S all = length(forces);
+      if (!(all > S(0))) continue;
+      for (S& force : forces) force /= all;
+      Cut cut = cut_along(i, forces);
+      const S margin = height(cut, at, is_rate);
+      bool is_known = false;
+      for (const Cut& other : cuts)
+        is_known = is_known || (other.of == i && !(height(other, at, is_rate) - margin > least));
+      if (is_known) continue;
+      cuts.push_back(std::move(cut));
+      is_added = true;
+    }
+    return is_added;
+  }
+
+  static S height(const Cut& cut, const std::vector<S>& at, bool is_rate) {
+    S sum = is_rate ? S(0) : cut.value;
+    for (std::size_t j = 0; j < at.size(); ++j) sum += cut.slope[j] * at[j];
+    return sum;
+  }
+
+  /// The largest margin that all of these have, while others keep theirs, and reactions with which they have it: by proximal steps (R. T. Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898), which
+  /// end at the corners of planes after a few, with tangents that are added where forces have several directions.
+  Level highest(const Indices& of, const std::vector<Bound>& bounds) {
+    const S all = size(), rounding = S(16) * Math<S>::epsilon() * all;
+    Indices with_bounds = of;
+    for (const Bound& bound : bounds) with_bounds.push_back(bound.of);
+    std::vector<Cut> cuts = first_cuts(with_bounds);
+    std::vector<S> at(open(), S(0)), best = at;
+    add_tangents(at, false, rounding, cuts);
+    S near = S(0.01);
+    std::vector<S> binding;
+    Level level{least_margin(cuts, bounds, at), {}};
+    for (int pass = 0; pass < k_passes; ++pass) {
+      const ContactAccelerations<S> found = proximal(cuts, bounds, at, S(4 * all), near);
+      if (!found.is_found) break;
+      S moved = 0;
+      for (std::size_t j = 0; j < open(); ++j) {
+        moved = std::max(moved, magnitude_of(found.change[j]));
+        at[j] += found.change[j];
+      }
+      binding = found.reactions;
+      const bool is_added = add_tangents(at, false, rounding, cuts);
+      const S least = least_margin(cuts, bounds, at);
+      const bool is_better = least > level.least + rounding;
+      if (least > level.least) level.least = least, best = at;
+      // Farther steps where planes are nearly level.
+      if (is_better && !is_added) near = std::max(S(near / 10), S(1e-10));
+      if (!is_added && (!is_better || !(moved > rounding))) break;
+    }
+    binding.resize(cuts.size(), S(0));
+    const std::vector<S> corner = to_the_corner(cuts, bounds, binding, best);
+    if (!(least_margin(cuts, bounds, corner) < level.least - rounding)) best = corner;
+    level.least = least_margin(cuts, bounds, best);
+    level.bound = those_that_bind(cuts, bounds, binding);
+    move(best);
+    return level;
+  }
+
+  /// Where those planes meet that bind, to rounding.
+  std::vector<S> to_the_corner(const std::vector<Cut>& cuts, const std::vector<Bound>& bounds,
+                               const std::vector<S>& multipliers, std::vector<S> at) const {
+    S largest = 0;
+    for (const S& one : multipliers) largest = std::max(largest, one);
+    const std::size_t n = open() + 1;
+    DenseMatrix<S> normal(n, n);
+    std::vector<S> right(n, S(0));
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+      if (!(multipliers[c] > none() * largest)) continue;
+      const std::optional<S> margin = bound_of(bounds, cuts[c].of);
+      std::vector<S> row = cuts[c].slope;
+      row.push_back(margin ? S(0) : S(-1));
+      const S off = (margin ? *margin : S(0)) - height(cuts[c], at, false);
+      for (std::size_t i = 0; i < n; ++i) {
+        right[i] += row[i] * off;
+        for (std::size_t j = 0; j < n; ++j) normal(i, j) += row[i] * row[j];
+      }
+    }
+    const std::vector<S> change = solve_dense(std::move(normal), std::move(right));
+    for (std::size_t j = 0; j < open(); ++j) at[j] += change[j];
+    return at;
+  }
+
+  /// Nothing: its margin is looked for.
+  static std::optional<S> bound_of(const std::vector<Bound>& bounds, std::size_t i) {
+    for (const Bound& one : bounds)
+      if (one.of == i) return one.margin;
+    return std::nullopt;
+  }
+
+  static S least_margin(const std::vector<Cut>& cuts, const std::vector<Bound>& bounds, const std::vector<S>& at) {
+    S least = 0;
+    bool is_first = true;
+    for (const Cut& cut : cuts) {
+      if (bound_of(bounds, cut.of)) continue;
+      const S one = height(cut, at, false);
+      if (is_first || one < least) least = one;
+      is_first = false;
+    }
+    return least;
+  }
+
+  static Indices those_that_bind(const std::vector<Cut>& cuts, const std::vector<Bound>& bounds,
+                                 const std::vector<S>& multipliers) {
+    S largest = 0;
+    for (const S& one : multipliers) largest = std::max(largest, one);
+    Indices result;
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+      if (bound_of(bounds, cuts[c].of) || !(multipliers[c] > none() * largest)) continue;
+      if (std::find(result.begin(), result.end(), cuts[c].of) == result.end()) result.push_back(cuts[c].of);
+    }
+    return result;
+  }
+
+  /// The place with the least ½ (ε |z - at|² + σ²), all margins being `level` - σ or more.
+  ContactAccelerations<S> proximal(const std::vector<Cut>& cuts, const std::vector<Bound>& bounds,
+                                   const std::vector<S>& at, const S& level, const S& near) const {
+    const std::size_t n = open() + 1;
+    ContactProblem<S> problem;
+    problem.speeds = n;
+    problem.metric.assign(n * n, S(0));
+    for (std::size_t j = 0; j < n; ++j) problem.metric[j * n + j] = j + 1 < n ? near : S(1);
+    for (const Cut& cut : cuts) {
+      const std::optional<S> margin = bound_of(bounds, cut.of);
+      problem.rows.insert(problem.rows.end(), cut.slope.begin(), cut.slope.end());
+      problem.rows.push_back(margin ? S(0) : S(1));
+      problem.right.push_back(margin.value_or(level) - height(cut, at, false));
+    }
+    return LeastConstraint<S>(problem).solve();
+  }
+
+  static constexpr int k_passes = 100;
+
+  const LoadProblem<S>& problem_;
+  std::vector<S> norms_;      ///< of rows, in the metric of masses: reactions times these have one unit
+  DenseMatrix<S> basis_;      ///< what may be added to reactions
+  std::vector<S> reactions_;  ///< times norms
+  std::vector<char> is_open_, idle_;  ///< of judged loads
+};
+
+}  // namespace gauss::event
+
+#endif  // GAUSS_EVENT_LOAD_SHARES_HPP
