@@ -154,15 +154,19 @@ bool Hybrid<S>::settle(const Bans& banned, const Bans& ended_here) {
     Standing<S> standing;
     if (!look(standing)) return false;
     std::string overloaded;
-    for (const Bans* const bans : {&ended_here, &banned}) {
-      RegimeChoice<S> choice(pool_, *ground(), standing, here_, *bans);
-      why.clear();
-      if (auto next = choice.find(why)) {
+    std::vector<typename RegimeChoice<S>::Ended> tries{{ended_here, {}}};
+    if (banned.size() < ended_here.size()) tries.push_back({banned, {}});
+    // Each mode that has ended may go on without the others.
+    if (!banned.empty()) tries.push_back({{}, modes_});
+    for (const auto& ended : tries) {
+      RegimeChoice<S> choice(pool_, *ground(), standing, here_, ended);
+      std::string why_not;
+      if (auto next = choice.find(why_not)) {
         enter(std::move(*next));
         return outcome_ == Outcome::running;
       }
       overloaded = choice.overloaded();
-      if (banned.size() == ended_here.size()) break;
+      if (why.empty()) why = why_not;
     }
     if (overloaded.empty()) break;
     here_.broken.insert(overloaded);
@@ -198,9 +202,12 @@ void Hybrid<S>::find_rounding() {
   if (free == nullptr || free == regime_) return;
   const Array rates = free->rates(here_.t, here_.x);
   const S least = 64 * gauss::Math<S>::epsilon();
-  const S of_speeds = least * largest_of(rates.data() + here_.coordinates, rates.size() - here_.coordinates);
+  const S acceleration = largest_of(rates.data() + here_.coordinates, rates.size() - here_.coordinates);
+  // Where nothing has moved yet, speeds that count are those after a way as long as places are far.
+  const S fall = gauss::Math<S>::sqrt(acceleration * largest_of(here_.x.data(), here_.coordinates));
+  const S speed = here_.fastest > S(0) ? here_.fastest : fall > S(0) ? fall : acceleration;
   for (std::size_t i = 0; i < here_.x.size(); ++i)
-    here_.rounding[i] = i < here_.coordinates ? least * here_.fastest : of_speeds;
+    here_.rounding[i] = least * (i < here_.coordinates ? speed : acceleration);
 }
 
 /// From the present state on.
@@ -287,8 +294,10 @@ void Hybrid<S>::step(const S& end) {
   last_step_->end_at(inner_->time(), inner_->state());
   if (const auto fired = last_step_->first(here_.slow())) {
     const std::optional<Array> x = last_step_->state_at(fired->t);
-    return x ? happen(fired->t, *x, fired->guards)
-             : stop(Outcome::step_too_small, "the instant of an event cannot be found");
+    if (x) return happen(fired->t, *x, fired->guards);
+    const bool is_interrupted = setting_.of_method.ends != nullptr && setting_.of_method.ends();
+    return is_interrupted ? stop(Outcome::interrupted, "")
+                          : stop(Outcome::step_too_small, "the instant of an event cannot be found");
   }
   const S length = inner_->time() - here_.t;
   here_.t = inner_->time();

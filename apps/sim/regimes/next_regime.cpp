@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "gauss/event/least_constraint.hpp"
 #include "gauss/scalar/float128.hpp"
@@ -11,27 +12,36 @@
 
 namespace gausssim {
 
+using gauss::event::length_of;
 using gauss::event::magnitude_of;
 using Kind = gaussgen::model::Guard::Kind;
 
 namespace {
 
+using Names = std::set<std::string>;
+
 constexpr std::size_t k_most_touching = 11;  ///< contacts of which all ways to be open and closed are tried
+constexpr std::size_t k_most_unpressed = 4;  ///< likewise, of those alone that have no reaction without friction
 constexpr std::size_t k_most_tried = 4096;   ///< regimes at one instant
 
-template <class S>
-S length_of(const std::vector<S>& v) {
-  S square = 0;
-  for (const S& one : v) square += one * one;
-  return gauss::Math<S>::sqrt(square);
+/// All ways to take some of these, beside those that are taken.
+std::vector<Names> few_first(const std::vector<std::string>& names, const Names& taken) {
+  std::vector<Names> ways;
+  for (std::size_t choice = 0; choice < std::size_t(1) << names.size(); ++choice) {
+    ways.push_back(taken);
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if ((choice >> k & 1U) != 0) ways.back().insert(names[k]);
+  }
+  std::stable_sort(ways.begin(), ways.end(), [](const Names& a, const Names& b) { return a.size() < b.size(); });
+  return ways;
 }
 
 }  // namespace
 
 template <class S>
 RegimeChoice<S>::RegimeChoice(RegimePool<S>& pool, Regime<S>& ground, const Standing<S>& standing,
-                              const Instant<S>& here, const std::map<std::string, std::string>& banned)
-    : pool_(pool), switches_(pool.switches()), ground_(ground), standing_(standing), here_(here), banned_(banned) {
+                              const Instant<S>& here, const Ended& ended)
+    : pool_(pool), switches_(pool.switches()), ground_(ground), standing_(standing), here_(here), ended_(ended) {
   const Numbers<S> rates = ground.rates(here.t, here.x);
   free_ = largest_of(rates.data() + here.coordinates, rates.size() - here.coordinates);
   for (std::size_t c = 0; c < switches_.contacts.size(); ++c) {
@@ -53,8 +63,17 @@ std::optional<NextRegime<S>> RegimeChoice<S>::find(std::string& why) {
 
 template <class S>
 bool RegimeChoice<S>::is_banned(const std::string& name, const std::string& mode) const {
-  const auto found = banned_.find(name);
-  return found != banned_.end() && found->second == mode;
+  const auto found = ended_.modes.find(name);
+  return found != ended_.modes.end() && found->second == mode;
+}
+
+/// Those that touch and may not be closed.
+template <class S>
+typename RegimeChoice<S>::Opens RegimeChoice<S>::banned_contacts() const {
+  Opens result;
+  for (const std::size_t c : touching_)
+    if (is_banned(switches_.contacts[c].name, "closed")) result.insert(switches_.contacts[c].name);
+  return result;
 }
 
 template <class S>
@@ -65,22 +84,26 @@ bool RegimeChoice<S>::is_allowed(const Opens& opens) const {
   });
 }
 
-/// First all closed, then what Gauss's principle with inequalities says, then all ways, where there are not too many. Where no friction changes what the principle says, that comes first.
+/// First all closed, then what Gauss's principle with inequalities says, then all ways, where there are not too many. Where no friction changes what the principle says, that comes first; where some
+/// does, one contact after the other that has no reaction without it may have one.
 template <class S>
 std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contacts() {
   std::vector<Opens> all(1);
-  if (touching_.size() > 1) {
-    least_constraint_ = choice_of_least_constraint();
-    if (const auto& opens = *least_constraint_)
-      all.insert(switches_.frictions.empty() ? all.begin() : all.end(), *opens);
+  if (touching_.size() > 1 && unpressed()) {
+    if (switches_.frictions.empty()) {
+      all.insert(all.begin(), *unpressed());
+    } else {
+      const Opens banned = banned_contacts();
+      std::vector<std::string> others;
+      std::set_difference(unpressed()->begin(), unpressed()->end(), banned.begin(), banned.end(), std::back_inserter(others));
+      if (others.size() <= k_most_unpressed) all = few_first(others, banned);
+      all.push_back(*unpressed());
+    }
   }
   if (touching_.size() > k_most_touching) return all;
-  for (std::size_t choice = 1; choice < std::size_t(1) << touching_.size(); ++choice) {
-    Opens opens;
-    for (std::size_t k = 0; k < touching_.size(); ++k)
-      if ((choice >> k & 1U) != 0) opens.insert(switches_.contacts[touching_[k]].name);
-    all.push_back(std::move(opens));
-  }
+  std::vector<std::string> names;
+  for (const std::size_t c : touching_) names.push_back(switches_.contacts[c].name);
+  for (Opens& opens : few_first(names, {})) all.push_back(std::move(opens));
   return all;
 }
 
@@ -88,13 +111,18 @@ std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contact
 template <class S>
 void RegimeChoice<S>::tell_unloaded(Regime<S>& regime) {
   if (!regime.shared_loads().are_possible()) return;
-  if (!least_constraint_) least_constraint_ = choice_of_least_constraint();
-  regime.shared_loads().know_unloaded(least_constraint_->value_or(Opens{}));
+  regime.shared_loads().know_unloaded(unpressed().value_or(Opens{}));
 }
 
-/// Without friction, which may change it.
 template <class S>
-std::optional<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choice_of_least_constraint() {
+const std::optional<typename RegimeChoice<S>::Opens>& RegimeChoice<S>::unpressed() {
+  if (!unpressed_) unpressed_ = find_unpressed();
+  return *unpressed_;
+}
+
+/// By Gauss's principle, without friction.
+template <class S>
+std::optional<typename RegimeChoice<S>::Opens> RegimeChoice<S>::find_unpressed() const {
   const S dt = here_.a_while(S(1e-7), S(1e-3));
   Standing<S> then;
   const Numbers<S> later = moved(here_.x, ground_.rates(here_.t, here_.x), dt);
@@ -111,13 +139,9 @@ std::optional<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choice_of_least_
   };
   for (std::size_t k = 0; k < impact.constraints; ++k) add(k, S(0));
   std::vector<std::size_t> taking_part;
-  Opens opens;
+  Opens result = banned_contacts();
   for (const std::size_t c : touching_) {
-    const std::string& name = switches_.contacts[c].name;
-    if (is_banned(name, "closed")) {
-      opens.insert(name);
-      continue;
-    }
+    if (result.count(switches_.contacts[c].name) > 0) continue;
     taking_part.push_back(c);
     add(impact.constraints + c, (standing_.gap_rate(c) - then.gap_rate(c)) / dt);
   }
@@ -125,8 +149,8 @@ std::optional<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choice_of_least_
   if (!found.is_found) return std::nullopt;
   // Those with reactions are independent of each other. Of more than a body needs, others stay where they are by these.
   for (std::size_t k = 0; k < taking_part.size(); ++k)
-    if (!(found.reactions[impact.constraints + k] > S(0))) opens.insert(switches_.contacts[taking_part[k]].name);
-  return opens;
+    if (!(found.reactions[impact.constraints + k] > S(0))) result.insert(switches_.contacts[taking_part[k]].name);
+  return result;
 }
 
 template <class S>
@@ -181,6 +205,7 @@ std::optional<NextRegime<S>> RegimeChoice<S>::find_with(const Opens& opens, std:
 /// If it goes on from here for some time.
 template <class S>
 std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, const Opens& opens, std::string& why) {
+  if (modes == ended_.regime) return why = "this has just come to its end", std::nullopt;
   NextRegime<S> next{modes, pool_.at(modes, why), here_.x};
   if (next.regime == nullptr) return std::nullopt;
   if (!next.regime->project(here_.t, next.x))

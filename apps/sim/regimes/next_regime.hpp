@@ -25,9 +25,14 @@ struct NextRegime {
 template <class S>
 class RegimeChoice {
  public:
-  /// `banned`: modes that have just come to their end.
+  /// What has just come to its end: modes, which are not tried again, and all together.
+  struct Ended {
+    std::map<std::string, std::string> modes;
+    Modes regime;
+  };
+
   RegimeChoice(RegimePool<S>& pool, Regime<S>& ground, const Standing<S>& standing, const Instant<S>& here,
-               const std::map<std::string, std::string>& banned);
+               const Ended& ended);
 
   /// Nothing, and why.
   std::optional<NextRegime<S>> find(std::string& why);
@@ -40,8 +45,10 @@ class RegimeChoice {
   using Opens = std::set<std::string>;
 
   std::vector<Opens> choices_of_contacts();
-  std::optional<Opens> choice_of_least_constraint();
+  const std::optional<Opens>& unpressed();
+  std::optional<Opens> find_unpressed() const;
   void tell_unloaded(Regime<S>& regime);
+  Opens banned_contacts() const;
   bool is_allowed(const Opens& opens) const;
   bool is_banned(const std::string& name, const std::string& mode) const;
   bool rests(std::size_t friction) const;
@@ -55,9 +62,9 @@ class RegimeChoice {
   Regime<S>& ground_;
   const Standing<S>& standing_;
   const Instant<S>& here_;
-  const std::map<std::string, std::string>& banned_;
+  const Ended& ended_;
   std::vector<std::size_t> touching_;  ///< contacts that may be closed: they touch, and do not part
-  std::optional<std::optional<Opens>> least_constraint_;  ///< once it is asked for
+  std::optional<std::optional<Opens>> unpressed_;  ///< once it is asked for; in it nothing: the principle has no answer
   S free_ = 0;                         ///< the largest acceleration while nothing holds
   std::size_t tried_ = 0;
   std::string overloaded_;

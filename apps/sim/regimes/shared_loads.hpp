@@ -52,12 +52,23 @@ class SharedLoads {
       problem.judged.push_back({guard.rows, guard.has_limit, limits[i], {own, own + static_cast<std::ptrdiff_t>(l)},
                                 guard.is_brittle, unloaded_.count(guard.of) > 0});
     }
-    const std::vector<std::optional<S>> margins = gauss::event::LoadShares<S>(problem).margins();
-    for (std::size_t i = 0; i < k; ++i)
+    gauss::event::LoadShares<S> shares(problem);
+    const std::vector<std::optional<S>> margins = shares.margins();
+    for (std::size_t i = 0; i < k; ++i) {
+      // Of a share that stands, as that which sliding friction has, a reaction that is none is that but for rounding.
       if (margins[i]) values[places[i]] = *margins[i];
+      else if (shares.is_shared(i) && !problem.judged[i].has_limit) values[places[i]] += rounding_of(problem);
+    }
   }
 
  private:
+  static S rounding_of(const gauss::event::LoadProblem<S>& problem) {
+    S largest = 0;
+    for (const auto& one : problem.judged)
+      if (!one.has_limit) largest = std::max(largest, gauss::event::magnitude_of(problem.reactions[one.rows.front()]));
+    return S(1e-9) * largest;
+  }
+
   Callable<S> load_system_;
   std::size_t speeds_;
   const std::vector<GuardOf>& guards_;

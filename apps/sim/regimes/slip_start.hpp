@@ -12,7 +12,7 @@
 namespace gausssim {
 
 /// Friction acts against the slip, and the slip grows the way in which all forces, friction among them, accelerate it: that is the one direction in which it can begin. (Seen from any other one,
-/// it turns there faster the smaller it is.)
+/// it turns there faster the smaller it is.) Several slips of one body are one motion of it, in whose directions one is looked for.
 template <class S>
 class SlipStart {
  public:
@@ -24,24 +24,27 @@ class SlipStart {
   std::optional<Numbers<S>> state(std::string& why);
 
  private:
-  struct Beginning {
-    std::string friction;
-    std::vector<std::size_t> guards;   ///< that tell its slip
-    std::vector<S> along[2], against;  ///< changes of speeds: by a slip of 1 along each direction; that of what is left
-    S angle = 0;
-  };
+  using Direction = std::vector<S>;  ///< of length 1, in parts of moves_
 
-  void find_changes(const Standing<S>& standing, const Switches& switches, const Modes& modes,
-                    const std::vector<std::size_t>& beginning);
-  Numbers<S> with_slips() const;
-  std::vector<S> acceleration(const Beginning& of) const;
-  S turning(const Beginning& of) const;
-  bool turn(Beginning& one);
+  void find_moves(const Standing<S>& standing, const Switches& switches, const Modes& modes,
+                  const std::vector<std::size_t>& beginning);
+  void leave_rest(const Standing<S>& standing, const std::vector<std::size_t>& beginning);
+  Direction moves_with(const std::vector<S>& slips) const;
+  Numbers<S> sliding(const Direction& way) const;
+  Direction acceleration(const Direction& way) const;
+  Direction turning(const Direction& way) const;
+  std::optional<Direction> in_line() const;
+  std::optional<Direction> in_plane() const;
+  std::optional<Direction> in_space() const;
+  std::optional<Direction> nearer(const Direction& way, const Direction& turn, S& stiffness) const;
 
   const Regime<S>& regime_;
   const Instant<S>& here_;
   Numbers<S> x_;
-  std::vector<Beginning> beginnings_;
+  std::string frictions_;                  ///< in words
+  std::vector<std::size_t> guards_;        ///< that tell the slips
+  std::vector<std::vector<S>> moves_;      ///< changes of speeds that make slip, and leave as they are what holds: orthonormal in the metric of masses
+  std::vector<std::vector<S>> slips_;      ///< of each guard, by each move
   S speed_ = 0;
 };
 

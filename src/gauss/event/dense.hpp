@@ -16,6 +16,18 @@ S magnitude_of(const S& x) {
   return x < S(0) ? -x : x;
 }
 
+template <class S>
+S product_of(const std::vector<S>& a, const std::vector<S>& b) {
+  S sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+template <class S>
+S length_of(const std::vector<S>& v) {
+  return Math<S>::sqrt(product_of(v, v));
+}
+
 /// Row by row.
 template <class S>
 struct DenseMatrix {

@@ -47,6 +47,7 @@ class LoadShares {
  public:
   explicit LoadShares(const LoadProblem<S>& problem) : problem_(problem), basis_(open_directions()) {
     for (std::size_t k = 0; k < problem.count(); ++k) reactions_.push_back(problem.reactions[k] * norms_[k]);
+    for (std::size_t i = 0; i < problem.judged.size(); ++i) is_shared_.push_back(depends(i) ? 1 : 0);
     narrow(fixed_rows());
     for (std::size_t i = 0; i < problem.judged.size(); ++i) is_open_.push_back(depends(i) ? 1 : 0);
     move(least_change(all_rows()));
@@ -54,6 +55,9 @@ class LoadShares {
     unload();
     leave_idle_friction();
   }
+
+  /// Its reactions are not unique, whether or not forces contain them.
+  bool is_shared(std::size_t judged) const { return is_shared_[judged] != 0; }
 
   /// Of each judged load, nothing where its reactions are unique; else how much is left to it, in the unit of its reaction: below 0 where no choice holds.
   std::vector<std::optional<S>> margins() {
@@ -184,14 +188,20 @@ class LoadShares {
     for (const std::size_t k : problem_.judged[i].rows) result.push_back(norm(i) * reactions_[k] / norms_[k]);
     return result;
   }
-  static S length(const std::vector<S>& v) {
-    S square = 0;
-    for (const S& one : v) square += one * one;
-    return Math<S>::sqrt(square);
+  S force_slope(std::size_t i, std::size_t r, std::size_t j) const {
+    const std::size_t row = problem_.judged[i].rows[r];
+    return norm(i) * basis_(row, j) / norms_[row];
   }
+  std::vector<S> forces_at(std::size_t i, const std::vector<S>& at) const {
+    std::vector<S> forces = forces_at(i);
+    for (std::size_t r = 0; r < forces.size(); ++r)
+      for (std::size_t j = 0; j < open(); ++j) forces[r] += force_slope(i, r, j) * at[j];
+    return forces;
+  }
+  bool has_directions(std::size_t i) const { return problem_.judged[i].has_limit && problem_.judged[i].rows.size() > 1; }
   S margin(std::size_t i) const {
     const std::vector<S> forces = forces_at(i);
-    return problem_.judged[i].has_limit ? S(limit_at(i) - length(forces)) : forces.front();
+    return problem_.judged[i].has_limit ? S(limit_at(i) - length_of(forces)) : forces.front();
   }
 
   bool depends(std::size_t i) const {
@@ -207,7 +217,7 @@ class LoadShares {
   S size() const {
     S result = 0;
     for (std::size_t i = 0; i < problem_.judged.size(); ++i) {
-      result = std::max(result, length(forces_at(i)));
+      result = std::max(result, length_of(forces_at(i)));
       if (problem_.judged[i].has_limit) result = std::max(result, magnitude_of(limit_at(i)));
     }
     return result > S(0) ? result : S(1);
@@ -246,8 +256,8 @@ class LoadShares {
       const ContactAccelerations<S> found = LeastConstraint<S>(nearest).solve();
       if (!found.is_found) return false;
       for (std::size_t j = 0; j < open(); ++j) at[j] = wish[j] + found.change[j];
-      if (!(length(at) > S(1e-6) * length(wish))) return false;
-      if (!add_tangents(at, true, S(none() * length(at)), cuts)) return true;
+      if (!(length_of(at) > S(1e-6) * length_of(wish))) return false;
+      if (!add_tangents(at, true, S(none() * length_of(at)), cuts)) return true;
     }
     return true;
   }
@@ -274,7 +284,7 @@ class LoadShares {
   bool is_idle(std::size_t i) const {
     const JudgedLoad<S>& one = problem_.judged[i];
     const bool cannot = one.has_limit ? idle_[i] != 0 : one.is_unloaded && !depends(i);
-    return cannot && length(forces_at(i)) <= none() * size();
+    return cannot && length_of(forces_at(i)) <= none() * size();
   }
 
   Indices movable() const {
@@ -293,7 +303,7 @@ class LoadShares {
     for (std::size_t j = 0; j < open(); ++j) {
       if (one.has_limit) cut.slope[j] = limit_slope(i, j);
       for (std::size_t r = 0; r < one.rows.size(); ++r)
-        cut.slope[j] += sense * direction[r] * norm(i) * basis_(one.rows[r], j) / norms_[one.rows[r]];
+        cut.slope[j] += sense * direction[r] * force_slope(i, r, j);
     }
     return cut;
   }
@@ -317,14 +327,13 @@ class LoadShares {
   bool add_tangents(const std::vector<S>& at, bool is_rate, const S& least, std::vector<Cut>& cuts) const {
     bool is_added = false;
     for (const std::size_t i : movable()) {
-      const JudgedLoad<S>& one = problem_.judged[i];
-      if (!one.has_limit || one.rows.size() == 1) continue;
-      std::vector<S> forces = forces_at(i);
-      for (std::size_t r = 0; r < one.rows.size(); ++r) {
-        if (is_rate) forces[r] = S(0);
-        for (std::size_t j = 0; j < open(); ++j) forces[r] += norm(i) * basis_(one.rows[r], j) * at[j] / norms_[one.rows[r]];
+      if (!has_directions(i)) continue;
+      std::vector<S> forces = forces_at(i, at);
+      if (is_rate) {
+        const std::vector<S> now = forces_at(i);
+        for (std::size_t r = 0; r < forces.size(); ++r) forces[r] -= now[r];
       }
-      const S all = length(forces);
+      const S all = length_of(forces);
       if (!(all > S(0))) continue;
       for (S& force : forces) force /= all;
       Cut cut = cut_along(i, forces);
@@ -345,8 +354,8 @@ class LoadShares {
     return sum;
   }
 
-  /// The largest margin that all of these have, while others keep theirs, and reactions with which they have it: by proximal steps (R. T. Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898), which
-  /// end at the corners of planes after a few, with tangents that are added where forces have several directions.
+  /// The largest margin that all of these have, while others keep theirs, and reactions with which they have it: by proximal steps (R. T. Rockafellar, SIAM J. Control Optim. 14 (1976) 877-898), with
+  /// tangents that are added where forces have several directions, until it is known which margins bind: then they lead there at once.
   Level highest(const Indices& of, const std::vector<Bound>& bounds) {
     const S all = size(), rounding = S(16) * Math<S>::epsilon() * all;
     Indices with_bounds = of;
@@ -355,7 +364,7 @@ class LoadShares {
     std::vector<S> at(open(), S(0)), best = at;
     add_tangents(at, false, rounding, cuts);
     S near = S(0.01);
-    std::vector<S> binding;
+    Balance balance;
     Level level{least_margin(cuts, bounds, at), {}};
     for (int pass = 0; pass < k_passes; ++pass) {
       const ContactAccelerations<S> found = proximal(cuts, bounds, at, S(4 * all), near);
@@ -365,7 +374,14 @@ class LoadShares {
         moved = std::max(moved, magnitude_of(found.change[j]));
         at[j] += found.change[j];
       }
-      binding = found.reactions;
+      balance = balanced(cuts, bounds, found.reactions, at);
+      add_tangents(balance.at, false, rounding, cuts);
+      const S there = least_margin(cuts, bounds, balance.at);
+      if (balance.is_maximum && there > level.least - rounding && balance.margin - there <= rounding) {
+        best = balance.at;
+        level.least = there;
+        break;
+      }
       const bool is_added = add_tangents(at, false, rounding, cuts);
       const S least = least_margin(cuts, bounds, at);
       const bool is_better = least > level.least + rounding;
@@ -374,37 +390,124 @@ class LoadShares {
       if (is_better && !is_added) near = std::max(S(near / 10), S(1e-10));
       if (!is_added && (!is_better || !(moved > rounding))) break;
     }
-    binding.resize(cuts.size(), S(0));
-    const std::vector<S> corner = to_the_corner(cuts, bounds, binding, best);
-    if (!(least_margin(cuts, bounds, corner) < level.least - rounding)) best = corner;
-    level.least = least_margin(cuts, bounds, best);
-    level.bound = those_that_bind(cuts, bounds, binding);
+    level.bound = balance.bound;
     move(best);
     return level;
   }
 
-  /// Where those planes meet that bind, to rounding.
-  std::vector<S> to_the_corner(const std::vector<Cut>& cuts, const std::vector<Bound>& bounds,
-                               const std::vector<S>& multipliers, std::vector<S> at) const {
-    S largest = 0;
-    for (const S& one : multipliers) largest = std::max(largest, one);
-    const std::size_t n = open() + 1;
-    DenseMatrix<S> normal(n, n);
-    std::vector<S> right(n, S(0));
-    for (std::size_t c = 0; c < cuts.size(); ++c) {
-      if (!(multipliers[c] > none() * largest)) continue;
-      const std::optional<S> margin = bound_of(bounds, cuts[c].of);
-      std::vector<S> row = cuts[c].slope;
-      row.push_back(margin ? S(0) : S(-1));
-      const S off = (margin ? *margin : S(0)) - height(cuts[c], at, false);
-      for (std::size_t i = 0; i < n; ++i) {
-        right[i] += row[i] * off;
-        for (std::size_t j = 0; j < n; ++j) normal(i, j) += row[i] * row[j];
+  /// A margin near a place: m(at + d) = value + slope d + ½ d curvature d.
+  struct Expansion {
+    S value;
+    std::vector<S> slope;
+    DenseMatrix<S> curvature;
+  };
+
+  Expansion expand(const Cut& cut, const std::vector<S>& at) const {
+    const JudgedLoad<S>& one = problem_.judged[cut.of];
+    Expansion result{height(cut, at, false), cut.slope, DenseMatrix<S>(open(), open())};
+    if (!has_directions(cut.of)) return result;
+    const std::vector<S> forces = forces_at(cut.of, at);
+    const S all = length_of(forces);
+    if (!(all > S(0))) return result;
+    std::vector<S> direction = forces;
+    for (S& part : direction) part /= all;
+    const Cut tangent = cut_along(cut.of, direction);
+    result.value = height(tangent, at, false);
+    result.slope = tangent.slope;
+    for (std::size_t i = 0; i < open(); ++i) {
+      for (std::size_t j = 0; j < open(); ++j) {
+        S across = 0, along_i = 0, along_j = 0;
+        for (std::size_t r = 0; r < one.rows.size(); ++r) {
+          const S f_i = force_slope(cut.of, r, i), f_j = force_slope(cut.of, r, j);
+          across += f_i * f_j;
+          along_i += direction[r] * f_i;
+          along_j += direction[r] * f_j;
+        }
+        result.curvature(i, j) = (along_i * along_j - across) / all;
       }
     }
-    const std::vector<S> change = solve_dense(std::move(normal), std::move(right));
-    for (std::size_t j = 0; j < open(); ++j) at[j] += change[j];
-    return at;
+    return result;
+  }
+
+  /// Where margins that bind balance each other.
+  struct Balance {
+    std::vector<S> at;
+    S margin = 0;             ///< of each of them
+    Indices bound;            ///< without those that are given
+    bool is_maximum = false;  ///< as far as these tell
+  };
+
+  /// Newton's method for the conditions of the maximum, Σ μ ∇m = 0 and Σ μ = 1 with m = s, from near it.
+  Balance balanced(const std::vector<Cut>& cuts, const std::vector<Bound>& bounds, const std::vector<S>& multipliers,
+                   const std::vector<S>& from) const {
+    S largest = 0, sum = 0;
+    for (const S& one : multipliers) largest = std::max(largest, one);
+    std::vector<Cut> binding;
+    std::vector<S> parts;
+    Balance result;
+    result.at = from;
+    for (std::size_t c = 0; c < multipliers.size(); ++c) {
+      if (!(multipliers[c] > none() * largest)) continue;
+      const std::size_t of = cuts[c].of;
+      if (!bound_of(bounds, of)) {
+        sum += multipliers[c];
+        if (std::find(result.bound.begin(), result.bound.end(), of) == result.bound.end()) result.bound.push_back(of);
+      }
+      const auto known = std::find_if(binding.begin(), binding.end(), [&](const Cut& one) { return one.of == of; });
+      if (known == binding.end() || !has_directions(of)) {
+        binding.push_back(cuts[c]);
+        parts.push_back(multipliers[c]);
+      } else {
+        parts[static_cast<std::size_t>(known - binding.begin())] += multipliers[c];
+      }
+    }
+    if (!(sum > S(0))) return result;
+    for (S& part : parts) part /= sum;
+    constexpr int k_steps = 8;
+    const std::size_t d = open(), m = binding.size();
+    for (int step = 0; step < k_steps; ++step) {
+      DenseMatrix<S> matrix(d + 1 + m, d + 1 + m);
+      std::vector<S> right(d + 1 + m, S(0));
+      right[d] = S(1);
+      for (std::size_t k = 0; k < m; ++k) {
+        const Expansion here = expand(binding[k], result.at);
+        const std::optional<S> margin = bound_of(bounds, binding[k].of);
+        for (std::size_t i = 0; i < d; ++i) {
+          matrix(i, d + 1 + k) = matrix(d + 1 + k, i) = here.slope[i];
+          for (std::size_t j = 0; j < d; ++j) matrix(i, j) += parts[k] * here.curvature(i, j);
+        }
+        matrix(d, d + 1 + k) = margin ? S(0) : S(1);
+        matrix(d + 1 + k, d) = margin ? S(0) : S(-1);
+        right[d + 1 + k] = (margin ? *margin : S(0)) - here.value;
+      }
+      const std::vector<S> found = solve_dense(std::move(matrix), std::move(right));
+      S moved = 0;
+      for (std::size_t j = 0; j < d; ++j) {
+        result.at[j] += found[j];
+        moved = std::max(moved, magnitude_of(found[j]));
+      }
+      result.margin = found[d];
+      for (std::size_t k = 0; k < m; ++k) parts[k] = found[d + 1 + k];
+      if (!(moved > S(16) * Math<S>::epsilon() * size())) break;
+    }
+    result.is_maximum = are_balanced(binding, parts, result.at);
+    return result;
+  }
+
+  /// No part below 0, and their slopes leave nothing.
+  bool are_balanced(const std::vector<Cut>& binding, const std::vector<S>& parts, const std::vector<S>& at) const {
+    std::vector<S> slope(open(), S(0));
+    S steepest = 0, sum = 0;
+    for (std::size_t k = 0; k < binding.size(); ++k) {
+      if (parts[k] < -none()) return false;
+      sum += parts[k];
+      const Expansion here = expand(binding[k], at);
+      for (std::size_t j = 0; j < open(); ++j) {
+        slope[j] += parts[k] * here.slope[j];
+        steepest = std::max(steepest, magnitude_of(S(parts[k] * here.slope[j])));
+      }
+    }
+    return sum > S(0) && length_of(slope) <= none() * steepest;
   }
 
   /// Nothing: its margin is looked for.
@@ -424,18 +527,6 @@ class LoadShares {
       is_first = false;
     }
     return least;
-  }
-
-  static Indices those_that_bind(const std::vector<Cut>& cuts, const std::vector<Bound>& bounds,
-                                 const std::vector<S>& multipliers) {
-    S largest = 0;
-    for (const S& one : multipliers) largest = std::max(largest, one);
-    Indices result;
-    for (std::size_t c = 0; c < cuts.size(); ++c) {
-      if (bound_of(bounds, cuts[c].of) || !(multipliers[c] > none() * largest)) continue;
-      if (std::find(result.begin(), result.end(), cuts[c].of) == result.end()) result.push_back(cuts[c].of);
-    }
-    return result;
   }
 
   /// The place with the least ½ (ε |z - at|² + σ²), all margins being `level` - σ or more.
@@ -461,7 +552,7 @@ class LoadShares {
   std::vector<S> norms_;      ///< of rows, in the metric of masses: reactions times these have one unit
   DenseMatrix<S> basis_;      ///< what may be added to reactions
   std::vector<S> reactions_;  ///< times norms
-  std::vector<char> is_open_, idle_;  ///< of judged loads
+  std::vector<char> is_shared_, is_open_, idle_;  ///< of judged loads
 };
 
 }  // namespace gauss::event

@@ -34,19 +34,12 @@ class OrthonormalVectors {
     }
   }
 
-  static S length_of(const std::vector<S>& v) {
-    S square = 0;
-    for (const S& x : v) square += x * x;
-    return Math<S>::sqrt(square);
-  }
-
   std::vector<std::vector<S>> vectors;
 
  private:
   void remove_from(std::vector<S>& v) const {
     for (const std::vector<S>& one : vectors) {
-      S part = 0;
-      for (std::size_t i = 0; i < size_; ++i) part += one[i] * v[i];
+      const S part = product_of(one, v);
       for (std::size_t i = 0; i < size_; ++i) v[i] -= part * one[i];
     }
   }
@@ -77,10 +70,10 @@ DenseMatrix<S> null_space(const DenseMatrix<S>& matrix, const S& least) {
   return result;
 }
 
-/// Row k is C⁻¹ rowᵀ with metric = C Cᵀ: scalar products of these are those of rows in the inverse metric.
+/// C with metric = C Cᵀ, of which the upper part is 0 (Golub and Van Loan, 4.2.5).
 template <class S>
-DenseMatrix<S> in_metric(const std::vector<S>& metric, const std::vector<S>& rows, std::size_t speeds, std::size_t count) {
-  DenseMatrix<S> factor(speeds, speeds), result(count, speeds);
+DenseMatrix<S> cholesky_factor(const std::vector<S>& metric, std::size_t speeds) {
+  DenseMatrix<S> factor(speeds, speeds);
   for (std::size_t i = 0; i < speeds; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       S sum = metric[i * speeds + j];
@@ -88,6 +81,14 @@ DenseMatrix<S> in_metric(const std::vector<S>& metric, const std::vector<S>& row
       factor(i, j) = i == j ? Math<S>::sqrt(sum) : S(sum / factor(j, j));
     }
   }
+  return factor;
+}
+
+/// Row k is C⁻¹ rowᵀ: scalar products of these are those of rows in the inverse metric.
+template <class S>
+DenseMatrix<S> in_metric(const std::vector<S>& metric, const std::vector<S>& rows, std::size_t speeds, std::size_t count) {
+  const DenseMatrix<S> factor = cholesky_factor(metric, speeds);
+  DenseMatrix<S> result(count, speeds);
   for (std::size_t r = 0; r < count; ++r) {
     for (std::size_t i = 0; i < speeds; ++i) {
       S sum = rows[r * speeds + i];
@@ -96,6 +97,17 @@ DenseMatrix<S> in_metric(const std::vector<S>& metric, const std::vector<S>& row
     }
   }
   return result;
+}
+
+/// Speeds, of what is C⁻¹ of forces: C⁻ᵀ v.
+template <class S>
+std::vector<S> out_of_metric(const std::vector<S>& metric, std::vector<S> v) {
+  const DenseMatrix<S> factor = cholesky_factor(metric, v.size());
+  for (std::size_t i = v.size(); i-- > 0;) {
+    for (std::size_t k = i + 1; k < v.size(); ++k) v[i] -= factor(k, i) * v[k];
+    v[i] /= factor(i, i);
+  }
+  return v;
 }
 
 }  // namespace gauss::event

@@ -427,7 +427,8 @@ class Impacts(Regimes):
             for z, phi in zip(table["z"], table["phi"]):
                 for x, height in ((-0.5, -0.3), (0.5, -0.3), (-0.5, 0.3), (0.5, 0.3)):
                     self.assertGreater(z - x * math.sin(phi) + height * math.cos(phi), -1e-8)
-            self.assertEqual((table["x_dot"][-1], table["z_dot"][-1], table["phi_dot"][-1]), (0, 0, 0))
+            for name in ("x_dot", "z_dot", "phi_dot"):
+                self.assertAlmostEqual(table[name][-1], 0, delta=1e-300)
             self.assertGreater(len(events), 40)
         for other in rows[1:]:
             for one, column in zip(rows[0], other, strict=True):

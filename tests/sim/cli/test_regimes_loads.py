@@ -1,0 +1,225 @@
+"""Loads that more contacts, friction and links share than a body needs: against statics."""
+
+import math
+import unittest
+
+from gauss_sim import Regimes
+
+G = 9.81
+
+FEET = """gauss: 1
+name: feet
+parameters: {{m: 1, J: 0.05, l: 0.5, h: 0.1, g: 9.81, c: 1, mu_l: 0.2, mu_r: 0.6}}
+coordinates: {{x: {{}}, z: {{initial: 0.1}}, th: {{}}}}
+bodies:
+  box: {{mass: m, inertia: [J, J, J], position: [x, 0, z], orientation: {{axis: y, angle: th}}}}
+points:
+  L: {{on: box, at: [-l, 0, -h]}}
+  R: {{on: box, at: [l, 0, -h]}}
+contacts:
+  left: {{gap: L.z}}
+  right: {{gap: R.z}}
+forces:
+  gravity: {{uniform: [0, 0, -g]}}
+  pull: {{generalized: {{x: c*t, th: -h*c*t}}}}
+{frictions}"""
+
+FRICTIONS_OF_FEET = ["  at_left: {friction: dot(L.x), limit: mu_l*left.reaction}\n",
+                     "  at_right: {friction: dot(R.x), limit: mu_r*right.reaction}\n"]
+
+LADDER = """gauss: 1
+name: ladder
+parameters: {m: 1, J: 0.02083333333333333, l: 0.5, g: 9.81, c: 1, mu: 0.5}
+coordinates: {x: {initial: 0.15}, z: {initial: 0.2}, th: {initial: "atan2(0.8, 0.6)"}}
+bodies:
+  rod: {mass: m, inertia: [J, J, J], position: [x, 0, z], orientation: {axis: y, angle: th}}
+points:
+  foot: {on: rod, at: [l/2, 0, 0]}
+  top: {on: rod, at: [-l/2, 0, 0]}
+contacts:
+  floor: {gap: foot.z}
+  wall: {gap: top.x}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  pull: {on: foot, force: [c*t, 0, 0]}
+  at_floor: {friction: dot(foot.x), limit: mu*floor.reaction}
+  at_wall: {friction: dot(top.z), limit: mu*wall.reaction}
+"""
+
+TABLE = """gauss: 1
+name: table
+parameters: {m: 10, g: 9.81, a: 0.5, b: 0.3, h: 0.4, p: 10, mu: 0.5, mu_0: 0.6, arm: 0}
+coordinates:
+  x: {}
+  y: {}
+  z: {initial: h}
+orientations: {q: {quaternion: [e0, e1, e2, e3], angular_velocity: [wx, wy, wz]}}
+bodies:
+  top: {mass: m, inertia: [m*b^2/3, m*a^2/3, m*(a^2 + b^2)/3], position: [x, y, z], orientation: q}
+points:
+  l1: {on: top, at: [a, b, -h]}
+  l2: {on: top, at: [-a, b, -h]}
+  l3: {on: top, at: [-a, -b, -h]}
+  l4: {on: top, at: [a, -b, -h]}
+  hand: {on: top, at: [0, arm, -h]}
+contacts:
+  leg1: {gap: l1.z}
+  leg2: {gap: l2.z}
+  leg3: {gap: l3.z}
+  leg4: {gap: l4.z}
+forces:
+  weight: {uniform: [0, 0, -g]}
+  push: {on: hand, force: [p*t, 0, 0]}
+  f1: {friction: [dot(l1.x), dot(l1.y)], limit: mu*leg1.reaction, static_limit: mu_0*leg1.reaction}
+  f2: {friction: [dot(l2.x), dot(l2.y)], limit: mu*leg2.reaction, static_limit: mu_0*leg2.reaction}
+  f3: {friction: [dot(l3.x), dot(l3.y)], limit: mu*leg3.reaction, static_limit: mu_0*leg3.reaction}
+  f4: {friction: [dot(l4.x), dot(l4.y)], limit: mu*leg4.reaction, static_limit: mu_0*leg4.reaction}
+"""
+
+SHAFT = """gauss: 1
+name: shaft
+parameters: {m: 1, g: 9.81, mu: 0.5, side: 0}
+coordinates: {x: {}, z: {}}
+particles: {p: {mass: m, position: [x, 0, z]}}
+contacts:
+  left: {gap: x}
+  right: {gap: -x}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  pressed: {uniform: [side/m, 0, 0]}
+  at_left: {friction: dot(z), limit: mu*left.reaction}
+  at_right: {friction: dot(z), limit: mu*right.reaction}
+"""
+
+TIPPING = """gauss: 1
+name: tipping
+parameters: {m: 1, J: 0.1, w: 0.2, g: 9.81, mu: 0.5, side: 30}
+coordinates: {x: {}, z: {}, th: {}}
+bodies:
+  box: {mass: m, inertia: [J, J, J], position: [x, 0, z], orientation: {axis: y, angle: th}}
+points:
+  L: {on: box, at: [-w, 0, 0]}
+  R: {on: box, at: [w, 0, 0]}
+contacts:
+  left: {gap: L.x + w}
+  right: {gap: w - R.x}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  pressed: {uniform: [side/m, 0, 0]}
+  at_left: {friction: dot(L.z), limit: mu*left.reaction}
+  at_right: {friction: dot(R.z), limit: mu*right.reaction}
+"""
+
+LINKS = """gauss: 1
+name: links
+parameters: {{m: 1, g: 9.81}}
+coordinates: {{x: {{}}, z: {{initial: -1}}}}
+particles: {{p: {{mass: m, position: [x, 0, z]}}}}
+points: {{o: {{at: [0, 0, 0]}}}}
+constraints:
+{bars}forces:
+  gravity: {{uniform: [0, 0, -g]}}
+  load: {{on: p, force: [0, 0, -t]}}
+"""
+
+
+def least(function, low, high):
+    """Of a convex function."""
+    for _ in range(100):
+        a, b = low + (high - low) / 3, high - (high - low) / 3
+        low, high = (low, b) if function(a) < function(b) else (a, high)
+    return function((low + high) / 2)
+
+
+def push_that_turns_a_table(arm, limit, legs):
+    """That whose power is what friction takes, of the motion of the table for which this is least (the upper bound theorem):
+    turning with w, and with vy sideways, while the hand goes with 1."""
+    def taken(w, vy):
+        vx = 1 + w * arm
+        return sum(limit * math.hypot(vx - w * y, vy + w * x) for x, y in legs)
+    return least(lambda w: least(lambda vy: taken(w, vy), -5, 5), -20, 20)
+
+
+class Loads(Regimes):
+    def instants(self, events, mode):
+        return [t for t, words, _ in events if words.endswith(mode)]
+
+    def test_a_box_on_two_feet_holds_as_much_as_both_bear_together(self):
+        slips = (0.2 + 0.6) * G / 2
+        for frictions in (FRICTIONS_OF_FEET, FRICTIONS_OF_FEET[::-1]):
+            table, events = self.go(FEET.format(frictions="".join(frictions)), "--duration", "6", "--samples", "13")
+            self.assertEqual(self.instants(events, "sticks"), [0, 0])
+            for t in self.instants(events, "forwards"):
+                self.assertAlmostEqual(t, slips, delta=1e-13)
+            for t, x in zip(table["t"], table["x"]):
+                if t < slips:
+                    self.assertEqual(x, 0)
+                else:
+                    # m a (1 - (mu_r - mu_l) h/(2 l)) = F - (mu_l + mu_r) m g/2: what accelerates the box leans it on its left foot
+                    self.assertAlmostEqual(x, (t - slips) ** 3 / 6 / (1 - 0.4 * 0.1 / 2 / 0.5), delta=1e-9)
+
+    def test_a_ladder_in_a_corner_holds_as_long_as_any_share_of_its_load_does(self):
+        """Where it slips, both frictions are at their limits: N_f + mu N_w = m g, N_w + F = mu N_f, and no moment about the foot."""
+        mu, weight, base, height = 0.5, G, 0.3, 0.4
+        # m g base/2 = N_w height + mu N_w base
+        wall = weight * base / 2 / (height + mu * base)
+        slips = mu * (weight - mu * wall) - wall
+        table, events = self.go(LADDER, "--duration", "2", "--samples", "21")
+        self.assertAlmostEqual(self.instants(events, "at_floor forwards")[0], slips, delta=1e-12)
+        self.assertAlmostEqual(self.instants(events, "at_wall backwards")[0], slips, delta=1e-12)
+        for t, x in zip(table["t"], table["x"]):
+            if t < slips:
+                self.assertAlmostEqual(x, 0.15, delta=1e-15)
+        self.assertGreater(table["x"][-1], 0.151)
+
+    def test_a_table_on_four_legs_slides_where_it_is_pushed(self):
+        """Eight slips of one body, of which three are independent."""
+        table, events = self.go(TABLE, "--duration", "8", "--samples", "17", timeout=60)
+        slips = 0.6 * G
+        for t in self.instants(events, "slides"):
+            self.assertAlmostEqual(t, slips, delta=1e-12)
+        self.assertEqual([words for _, words, _ in events if words.endswith("open")], [])
+        for t, x, y in zip(table["t"], table["x"], table["y"]):
+            s = max(t - slips, 0)
+            self.assertAlmostEqual(x, 0.1 * G * s ** 2 / 2 + s ** 3 / 6, delta=1e-8)
+            self.assertAlmostEqual(y, 0, delta=1e-8)
+
+    def test_a_table_that_is_pushed_beside_its_middle_turns_where_limit_analysis_says(self):
+        legs = [(0.5, 0.3), (-0.5, 0.3), (-0.5, -0.3), (0.5, -0.3)]
+        slips = push_that_turns_a_table(0.2, 0.6 * 10 * G / 4, legs) / 10
+        table, events = self.go(TABLE.replace("arm: 0}", "arm: 0.2}"), "--duration", "6", "--samples", "13", timeout=60)
+        for t in self.instants(events, "slides"):
+            self.assertAlmostEqual(t, slips, delta=1e-9)
+        self.assertLess(table["e3"][-1], -1e-3)
+
+    def test_walls_hold_a_body_only_where_something_presses_it_against_them(self):
+        table, _ = self.go(SHAFT, "--duration", "1", "--samples", "11")
+        for t, z in zip(table["t"], table["z"]):
+            self.assertAlmostEqual(z, -G * t ** 2 / 2, delta=1e-12)
+        # Against one wall, with 30 N: 15 N of friction, more than the weight.
+        table, events = self.go(SHAFT.replace("side: 0", "side: 30"), "--duration", "1", "--samples", "11")
+        self.assertEqual(set(table["z"]), {0})
+        # With 10 N: 5 N.
+        table, events = self.go(SHAFT.replace("side: 0", "side: 10"), "--duration", "1", "--samples", "11")
+        self.assertAlmostEqual(table["z"][-1], -(G - 5) / 2, delta=1e-12)
+
+    def test_a_body_that_turns_away_from_a_wall_leaves_it(self):
+        """Both contacts hold it at the start, and together they would hold it for ever: it turns about the right one."""
+        table, events = self.go(TIPPING, "--duration", "0.25", "--samples", "6", "--engine", "interpreted")
+        self.assertIn("left open", [words for _, words, _ in events])
+        for x, z, th in zip(table["x"], table["z"], table["th"]):
+            self.assertAlmostEqual(x + 0.2 * math.cos(th), 0.2, delta=1e-12)
+            self.assertAlmostEqual(z - 0.2 * math.sin(th), 0, delta=1e-12)
+        self.assertLess(table["th"][-1], -0.1)
+
+    def test_links_side_by_side_have_equal_parts_in_any_order(self):
+        bars = ["  weak: {distance: [p, o], is: 1, breaks_at: 6}\n", "  strong: {distance: [p, o], is: 1, breaks_at: 20}\n"]
+        for order in (bars, bars[::-1]):
+            table, events = self.go(LINKS.format(bars="".join(order)), "--duration", "12", "--samples", "13")
+            self.assertEqual([words for _, words, _ in events], ["weak broken", "strong broken"])
+            self.assertAlmostEqual(events[0][0], 2 * 6 - G, delta=1e-11)
+            self.assertAlmostEqual(events[1][0], 20 - G, delta=1e-11)
+
+
+if __name__ == "__main__":
+    unittest.main()
