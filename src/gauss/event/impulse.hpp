@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "gauss/event/couplings.hpp"
@@ -50,10 +51,16 @@ class ImpactSolver {
       : problem_(problem), couplings_(problem.metric, problem.rows, problem.speeds, problem.count()) {}
 
   Impulses<S> solve() {
-    impulses_.assign(problem_.count(), S(0));
-    relax();
+    bool is_found = false;
+    // Shorter steps of friction where it turns the slip that it acts against.
+    for (const double step : {1.0, 0.3, 0.1, 0.03}) {
+      if (is_found) break;
+      impulses_.assign(problem_.count(), S(0));
+      relax(S(step));
+      is_found = settle();
+    }
     Impulses<S> result;
-    result.is_found = settle();
+    result.is_found = is_found;
     result.impulses = impulses_;
     result.changes.assign(problem_.speeds, S(0));
     for (std::size_t k = 0; k < problem_.count(); ++k)
@@ -90,10 +97,13 @@ class ImpactSolver {
   /// Or what the number type still tells.
   static S least(double part) { return std::max(S(part), S(64 * Math<S>::epsilon())); }
 
-  /// Gauss-Seidel with projections: near enough to tell what has an impulse, and what slips which way.
-  void relax() {
-    constexpr int k_sweeps = 2000;
-    for (int sweep = 0; sweep < k_sweeps; ++sweep) {
+  /// Gauss-Seidel with projections: near enough to tell what has an impulse, and what slips which way. At first as if each row gave way: that leaves equal parts to rows that do the same.
+  void relax(const S& step) {
+    for (const double yield : {0.1, 1e-2, 1e-3, 0.0}) relax(S(yield), step, yield > 0 ? 200 : 2000);
+  }
+
+  void relax(const S& yield, const S& step, int sweeps) {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
       S moved = 0, size = 0;
       const auto set = [&](std::size_t row, const S& value) {
         moved = std::max(moved, magnitude_of(S(value - impulses_[row])));
@@ -101,25 +111,33 @@ class ImpactSolver {
         impulses_[row] = value;
       };
       for (std::size_t k = 0; k < problem_.constraints; ++k)
-        if (couplings_.between(k, k) > S(0)) set(k, impulses_[k] - (rate(k) - S(0)) / couplings_.between(k, k));
+        if (couplings_.between(k, k) > S(0)) set(k, without(k, S(0), yield));
       for (std::size_t c = 0; c < problem_.contacts(); ++c) {
         const std::size_t k = problem_.constraints + c;
         if (problem_.takes_part[c] == 0 || !(couplings_.between(k, k) > S(0))) continue;
-        set(k, std::max(S(0), S(impulses_[k] - (rate(k) - target(c)) / couplings_.between(k, k))));
+        set(k, std::max(S(0), without(k, target(c), yield)));
       }
       for (std::size_t f = 0; f < problem_.slips.size(); ++f)
-        if (may_have_limit(f)) relax_friction(f, set);
+        if (may_have_limit(f)) relax_friction(f, yield, step, set);
       if (!(moved > least(1e-14) * size)) return;
     }
   }
 
+  /// The impulse along a row with which its rate, and what gives way, come to `target`.
+  S without(std::size_t row, const S& target, const S& yield) const {
+    const S own = couplings_.between(row, row);
+    return impulses_[row] - (rate(row) - target + yield * own * impulses_[row]) / ((S(1) + yield) * own);
+  }
+
+  /// The same length of step in all directions, since it is the direction of the slip that friction acts against.
   template <class Set>
-  void relax_friction(std::size_t friction, const Set& set) {
+  void relax_friction(std::size_t friction, const S& yield, const S& step, const Set& set) {
     const std::size_t first = problem_.first_slip(friction), count = problem_.slips[friction];
-    S values[2] = {S(0), S(0)}, square = 0;
+    S values[2] = {S(0), S(0)}, square = 0, own = 0;
+    for (std::size_t k = first; k < first + count; ++k) own = std::max(own, couplings_.between(k, k));
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t k = first + i;
-      if (couplings_.between(k, k) > S(0)) values[i] = impulses_[k] - rate(k) / couplings_.between(k, k);
+      if (own > S(0)) values[i] = impulses_[k] - step * (rate(k) + yield * own * impulses_[k]) / ((S(1) + yield) * own);
       square += values[i] * values[i];
     }
     const S size = Math<S>::sqrt(square), most = limit(friction);
@@ -131,6 +149,8 @@ class ImpactSolver {
   bool settle() {
     constexpr int k_passes = 40;
     const std::vector<S> relaxed = impulses_;
+    std::vector<S> best;
+    S nearest = std::numeric_limits<S>::infinity();
     for (int pass = 0; pass < k_passes; ++pass) {
       const std::vector<S> before = impulses_;
       solve_active();
@@ -139,10 +159,12 @@ class ImpactSolver {
         moved = std::max(moved, magnitude_of(S(impulses_[k] - before[k])));
         size = std::max(size, magnitude_of(impulses_[k]));
       }
-      if (!(moved > 64 * Math<S>::epsilon() * size)) break;
+      // Directions of slip may turn away from what they were relaxed to.
+      const bool is_nearer = moved < nearest && holds();
+      if (is_nearer) best = impulses_, nearest = moved;
+      if (!(moved > 64 * Math<S>::epsilon() * size) || (!is_nearer && !best.empty())) break;
     }
-    if (holds()) return true;
-    impulses_ = relaxed;
+    impulses_ = best.empty() ? relaxed : best;
     return holds();
   }
 
@@ -222,11 +244,34 @@ class ImpactSolver {
       for (std::size_t j = 0; j < active.size(); ++j)
         for (std::size_t k = 0; k < m; ++k) matrix(i, j) += couplings_.between(row, k) * by(k, active[j]);
     }
-    const std::vector<S> found = solve_dense(std::move(matrix), std::move(right));
+    const std::vector<S> found = least_solution(matrix, right, active);
     std::vector<S> all(m, S(0));
     for (std::size_t j = 0; j < active.size(); ++j)
       for (std::size_t k = 0; k < m; ++k) all[k] += by(k, active[j]) * found[j];
     impulses_ = all;
+  }
+
+  /// Of all solutions, the least one, by iterated regularisation (A. Neumaier, SIAM Review 40 (1998) 636-666, section 10).
+  std::vector<S> least_solution(const DenseMatrix<S>& matrix, const std::vector<S>& right,
+                                const std::vector<std::size_t>& rows) const {
+    DenseMatrix<S> yielding = matrix;
+    for (std::size_t i = 0; i < rows.size(); ++i) yielding(i, i) += S(k_yield) * couplings_.between(rows[i], rows[i]);
+    std::vector<S> result(rows.size(), S(0));
+    S before = std::numeric_limits<S>::infinity();
+    for (int pass = 0; pass < k_corrections; ++pass) {
+      std::vector<S> off = right;
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t j = 0; j < rows.size(); ++j) off[i] -= matrix(i, j) * result[j];
+      const std::vector<S> change = solve_dense(yielding, off);
+      S moved = 0;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        result[i] += change[i];
+        moved = std::max(moved, magnitude_of(change[i]));
+      }
+      if (!(moved < before / 2)) break;
+      before = moved;
+    }
+    return result;
   }
 
   bool is_pressed(std::size_t contact) const {
@@ -235,6 +280,9 @@ class ImpactSolver {
     for (const S& one : impulses_) largest = std::max(largest, magnitude_of(one));
     return impulses_[k] > least(1e-11) * largest;
   }
+
+  static constexpr double k_yield = 1e-6;
+  static constexpr int k_corrections = 30;
 
   const ImpactProblem<S>& problem_;
   Couplings<S> couplings_;
