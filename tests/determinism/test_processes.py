@@ -13,8 +13,8 @@ import same_bytes
 PROCESSES = 50 if os.environ.get("GAUSS_THOROUGH") == "1" else 10
 # The other commands print the same objects; they are run under each locale.
 WRITTEN = ("emitted", "folded", "paper", "markdown", "latex")
-# The other commands and the large models take most of the time: each seventh process does that, too.
-EVERY = 7
+# The other commands and the large models take most of the time: each tenth process does that, too.
+EVERY = 10
 SWIFT = ("emitted",)
 ZONES = ["UTC", "Asia/Kathmandu", "America/St_Johns", "nonsense"]
 STACKS = [1 << 20, 8 << 20, 1 << 30]
