@@ -1,5 +1,7 @@
 #include "model/build.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "model/checks.hpp"
@@ -11,6 +13,7 @@
 #include "model/submodels.hpp"
 #include "spec/reader.hpp"
 #include "support/content_hash.hpp"
+#include "support/error_codes.hpp"
 
 namespace gaussgen::model {
 
@@ -50,6 +53,20 @@ void read_sections(const spec::Node& root, Reading& reading) {
 
 }  // namespace
 
+namespace {
+
+/// Which is what users have at hand where a command takes models alone.
+bool is_scene(const spec::Node& root, Reading& reading) {
+  const spec::Node* const model = spec::find(root, "model");
+  if (model == nullptr || spec::find(root, "coordinates") != nullptr) return false;
+  reading.diagnostics.error(
+      support::code::k_unknown_key, model->span, "this is a scene, and a model is asked for",
+      model->kind == spec::NodeKind::scalar ? fmt::format("its model is '{}'", model->scalar.text) : "name its model");
+  return true;
+}
+
+}  // namespace
+
 std::optional<Model> build_model(support::Source& source, support::Diagnostics& diagnostics, const Choices& choices) {
   Reading reading{source, diagnostics, {}};
   reading.choices = choices;
@@ -61,7 +78,7 @@ std::optional<Model> build_model(support::Source& source, support::Diagnostics& 
   // Other files stand behind it when it is read once more.
   const support::Source own = source.first();
   auto root = spec::read_yaml(own, diagnostics);
-  if (!root || !expect_map(*root, root->span, "a model file", reading)) return std::nullopt;
+  if (!root || !expect_map(*root, root->span, "a model file", reading) || is_scene(*root, reading)) return std::nullopt;
   const spec::Node whole = with_submodels(*std::move(root), source, reading);
   reading.model.content_hash = support::content_hash(source.text());
   read_sections(whole, reading);

@@ -75,9 +75,10 @@ class Choosing {
     const std::vector<std::string> known = names_of(effects_);
     const std::string near = support::did_you_mean(name, known);
     refuse(index, {}, fmt::format("there is no effect '{}'", name),
-           !near.empty()   ? near
-           : known.empty() ? "the model has no effects"
-                           : "its effects are " + support::joined(known));
+           name.find_first_of(", ") != std::string::npos ? "several are a list, as in [gravity, air]"
+           : !near.empty()                               ? near
+           : known.empty()                               ? "the model has no effects"
+                                                         : "its effects are " + support::joined(known));
   }
 
   std::optional<std::size_t> find(const std::string& name) const {

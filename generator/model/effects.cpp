@@ -143,7 +143,7 @@ class Declarations {
             usual.empty()
                 ? fmt::format("none of {} acts by default, and one has to", support::joined(rivals))
                 : fmt::format("{} act by default, and of '{}' only one can", support::joined(usual), choice->text),
-            "write 'default: on' at one of them");
+            usual.empty() ? "write 'default: on' at one of them" : "leave 'default: on' at one of them alone");
   }
 
   Reading& reading_;
