@@ -297,8 +297,8 @@ struct Guard {
   Name of;           ///< the contact, the friction, the constraint
   Kind kind = Kind::falls;
   Ast value;
-  std::vector<Name> rows = {};      ///< constraints whose reactions it judges
-  std::optional<Ast> limit = {};    ///< of the root of their squares; none: the reaction is not negative
+  std::vector<Name> rows = {};    ///< constraints whose reactions it judges
+  std::optional<Ast> limit = {};  ///< of the root of their squares; none: the reaction is not negative
 };
 
 struct Force {

@@ -214,6 +214,7 @@ class Regimes(Evaluate):
     def test_outputs_that_a_regime_does_not_have_say_why(self):
         for model, output, why in (("block.yaml", "impact_system", "it is of the regime in which all contacts are open and all friction is free"),
                                    ("link.yaml", "impact_system", "it has no contact and no dry friction"),
+                                   ("block.yaml", "load_system", "all reactions that its guards judge are unique, or it has none"),
                                    ("plain.yaml", "guards", "it has no contact, dry friction or link that breaks"),
                                    ("pressed.yaml", "inverse_dynamics", "a force in it depends on reactions")):
             self.write("plain.yaml", LINK.replace(", breaks_at: 2*m*g", ""))
@@ -221,6 +222,16 @@ class Regimes(Evaluate):
                 "friction: {friction: dot(x), limit: mu*plane.reaction}", "friction: {generalized: {x: -mu*plane.reaction}}"))
             self.assertIn(f"the output '{output}' is left out, as this model has nothing for it: {why}",
                           self.run_it(model, "-o", "-", f"--outputs=rhs,{output}").stderr)
+
+    def test_what_holds_more_than_it_needs_has_its_loads(self):
+        self.write("brakes.yaml", RUBS.replace("friction: {friction: dot(x), limit: F}",
+                                               "one: {friction: dot(x), limit: F}, two: {friction: dot(x), limit: 2*F}"))
+        outputs = "--outputs=rhs,guards,load_system"
+        text = self.ok("brakes.yaml", "-o", "-", outputs)
+        for field in ("S g[1][1];", "S rows[2][1];", "S reactions[2];", "S limits[2];", "S per_reaction[2][2];"):
+            self.assertIn(field, text)
+        # Where one of them slides, the other one is alone.
+        self.assertNotIn("struct LoadSystem", self.ok("brakes.yaml", "-o", "-", outputs, "--regime", "one=forwards"))
 
     def test_a_restitution_that_no_impact_has_is_refused(self):
         for e in ("1.5", "-0.1"):

@@ -130,8 +130,7 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
   const S h = to_.t - from_.t, begin = one.sense * from_.values[g], end = one.sense * to_.values[g];
   const auto value = [&](const S& at) { return value_at(at, one); };
   // A slip that others hold at 0 is that but for rounding.
-  if (one.is_slip && magnitude_of(begin) <= slow && magnitude_of(end) <= slow)
-    return std::nullopt;
+  if (one.is_slip && magnitude_of(begin) <= slow && magnitude_of(end) <= slow) return std::nullopt;
   S high = to_.t, high_value = end;
   if (!(end < S(0))) {
     const std::optional<Place> below = dip(one, from_, to_, slow, k_halvings);

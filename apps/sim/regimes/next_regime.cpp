@@ -95,7 +95,8 @@ std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contact
     } else {
       const Opens banned = banned_contacts();
       std::vector<std::string> others;
-      std::set_difference(unpressed()->begin(), unpressed()->end(), banned.begin(), banned.end(), std::back_inserter(others));
+      std::set_difference(unpressed()->begin(), unpressed()->end(), banned.begin(), banned.end(),
+                          std::back_inserter(others));
       if (others.size() <= k_most_unpressed) all = few_first(others, banned);
       all.push_back(*unpressed());
     }

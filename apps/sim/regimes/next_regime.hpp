@@ -63,9 +63,9 @@ class RegimeChoice {
   const Standing<S>& standing_;
   const Instant<S>& here_;
   const Ended& ended_;
-  std::vector<std::size_t> touching_;  ///< contacts that may be closed: they touch, and do not part
+  std::vector<std::size_t> touching_;              ///< contacts that may be closed: they touch, and do not part
   std::optional<std::optional<Opens>> unpressed_;  ///< once it is asked for; in it nothing: the principle has no answer
-  S free_ = 0;                         ///< the largest acceleration while nothing holds
+  S free_ = 0;                                     ///< the largest acceleration while nothing holds
   std::size_t tried_ = 0;
   std::string overloaded_;
   S overload_ = 0;

@@ -23,8 +23,8 @@ struct RegimeModel {
   Described model;
   std::vector<GuardOf> guards;
   std::vector<char> fixed_reactions;  ///< of constraints, which forces contain
-  Columns columns;                  ///< of those that are wanted, what this regime has
-  std::vector<std::size_t> in_row;  ///< their places in a row of the run
+  Columns columns;                    ///< of those that are wanted, what this regime has
+  std::vector<std::size_t> in_row;    ///< their places in a row of the run
   std::unique_ptr<const Engine> engine;
 };
 

@@ -41,23 +41,30 @@ class SharedLoads {
     problem.is_fixed = fixed_;
     std::vector<S> limits, per_reaction;
     auto next = static_cast<const S*>(filled.data());
-    for (const auto& [part, size] : {std::pair{&problem.metric, n * n}, std::pair{&problem.rows, l * n},
-                                     std::pair{&problem.reactions, l}, std::pair{&limits, k}, std::pair{&per_reaction, k * l}}) {
+    for (const auto& [part, size] :
+         {std::pair{&problem.metric, n * n}, std::pair{&problem.rows, l * n}, std::pair{&problem.reactions, l},
+          std::pair{&limits, k}, std::pair{&per_reaction, k * l}}) {
       part->assign(next, next + size);
       next += size;
     }
     for (std::size_t i = 0; i < k; ++i) {
       const GuardOf& guard = guards_[places[i]];
       const auto own = per_reaction.begin() + static_cast<std::ptrdiff_t>(i * l);
-      problem.judged.push_back({guard.rows, guard.has_limit, limits[i], {own, own + static_cast<std::ptrdiff_t>(l)},
-                                guard.is_brittle, unloaded_.count(guard.of) > 0});
+      problem.judged.push_back({guard.rows,
+                                guard.has_limit,
+                                limits[i],
+                                {own, own + static_cast<std::ptrdiff_t>(l)},
+                                guard.is_brittle,
+                                unloaded_.count(guard.of) > 0});
     }
     gauss::event::LoadShares<S> shares(problem);
     const std::vector<std::optional<S>> margins = shares.margins();
     for (std::size_t i = 0; i < k; ++i) {
       // Of a share that stands, as that which sliding friction has, a reaction that is none is that but for rounding.
-      if (margins[i]) values[places[i]] = *margins[i];
-      else if (shares.is_shared(i) && !problem.judged[i].has_limit) values[places[i]] += rounding_of(problem);
+      if (margins[i])
+        values[places[i]] = *margins[i];
+      else if (shares.is_shared(i) && !problem.judged[i].has_limit)
+        values[places[i]] += rounding_of(problem);
     }
   }
 

@@ -22,7 +22,7 @@ namespace {
 constexpr int k_directions = 24;  ///< in a plane, that are looked at before one is found between two of them
 constexpr int k_rounds = 200;     ///< of turns in more than a plane
 constexpr double k_turn = 6.283185307179586476925286766559;
-constexpr double k_none = 1e-9;   ///< part of a row that is none of its own
+constexpr double k_none = 1e-9;  ///< part of a row that is none of its own
 
 template <class S>
 std::vector<S> in_one_direction(std::vector<S> v) {
@@ -167,9 +167,8 @@ std::optional<typename SlipStart<S>::Direction> SlipStart<S>::in_plane() const {
   for (int k = 0; k < k_directions; ++k) {
     const S low = S(k) * step, high = S(k + 1) * step, high_value = turn(high);
     if (low_value >= S(0) && high_value < S(0)) {
-      const Direction way = at(low_value > S(0) ? gauss::event::falls_through(low, low_value, high, high_value,
-                                                                              S(1e-15), turn)
-                                                : low);
+      const Direction way =
+          at(low_value > S(0) ? gauss::event::falls_through(low, low_value, high, high_value, S(1e-15), turn) : low);
       const S growth = product_of(way, acceleration(way));
       if (!best || growth > best_growth) best = way, best_growth = growth;
     }

@@ -41,10 +41,11 @@ class SlipStart {
   const Regime<S>& regime_;
   const Instant<S>& here_;
   Numbers<S> x_;
-  std::string frictions_;                  ///< in words
-  std::vector<std::size_t> guards_;        ///< that tell the slips
-  std::vector<std::vector<S>> moves_;      ///< changes of speeds that make slip, and leave as they are what holds: orthonormal in the metric of masses
-  std::vector<std::vector<S>> slips_;      ///< of each guard, by each move
+  std::string frictions_;            ///< in words
+  std::vector<std::size_t> guards_;  ///< that tell the slips
+  std::vector<std::vector<S>>
+      moves_;  ///< changes of speeds that make slip, and leave as they are what holds: orthonormal in the metric of masses
+  std::vector<std::vector<S>> slips_;  ///< of each guard, by each move
   S speed_ = 0;
 };
 

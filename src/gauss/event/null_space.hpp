@@ -86,7 +86,8 @@ DenseMatrix<S> cholesky_factor(const std::vector<S>& metric, std::size_t speeds)
 
 /// Row k is C⁻¹ rowᵀ: scalar products of these are those of rows in the inverse metric.
 template <class S>
-DenseMatrix<S> in_metric(const std::vector<S>& metric, const std::vector<S>& rows, std::size_t speeds, std::size_t count) {
+DenseMatrix<S> in_metric(const std::vector<S>& metric, const std::vector<S>& rows, std::size_t speeds,
+                         std::size_t count) {
   const DenseMatrix<S> factor = cholesky_factor(metric, speeds);
   DenseMatrix<S> result(count, speeds);
   for (std::size_t r = 0; r < count; ++r) {
