@@ -54,8 +54,18 @@ std::optional<typename GuardedStep<S>::Fired> GuardedStep<S>::first(const S& slo
   const S together =
       std::max(S(S(1e-12) * (to_.t - from_.t)), S(4 * gauss::Math<S>::epsilon() * magnitude_of(fired.t)));
   for (const auto& [at, guard] : found)
-    if (at <= fired.t + together) fired.guards.push_back(guard);
+    if (at <= fired.t + std::max(together, uncertainty_of(guard, fired.t))) fired.guards.push_back(guard);
   return fired;
+}
+
+/// The time that a gap takes for what its places are rounded by: feet that fall flat touch at once.
+template <class S>
+S GuardedStep<S>::uncertainty_of(std::size_t guard, const S& t) const {
+  const bool is_gap = std::any_of(watched_.begin(), watched_.end(),
+                                  [&](const Watched& one) { return one.guard == guard && one.is_told; });
+  const std::optional<Place> place = is_gap ? place_at(t) : std::nullopt;
+  if (!place || !(place->rates[guard] < S(0))) return S(0);
+  return -32 * gauss::Math<S>::epsilon() * largest_of(place->x.data(), here_.coordinates) / place->rates[guard];
 }
 
 /// Rates of gaps are told; those of others follow from a look a little later.
@@ -140,15 +150,16 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
   }
   // What rounding has left a little below 0 is no event while it rises.
   if (!(begin > S(0)) && one.sense * from_.rates[g] > S(0) && high_value >= begin) return std::nullopt;
-  // What has just been at 0 is above it for a while, unless it falls at once.
+  // What has just been at 0, as far as places have digits, is above it for a while, unless it falls at once.
+  const S none = one.is_told ? S(16 * gauss::Math<S>::epsilon() * largest_of(from_.x.data(), here_.coordinates)) : S(0);
   const S last = high;
   S low = from_.t, low_value = begin;
   constexpr int k_looks = 40;
-  for (int k = 0; k < k_looks && !(low_value > S(0)); ++k) {
+  for (int k = 0; k < k_looks && !(low_value > none); ++k) {
     const S at = from_.t + (high - from_.t) / 2;
     if (!(from_.t < at && at < high)) break;
     const S found = value(at);
-    if (found > S(0)) {
+    if (found > none) {
       low = at;
       low_value = found;
     } else {
@@ -158,7 +169,7 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
   }
   const S nearness = std::max(S(S(1e-13) * h), S(2 * gauss::Math<S>::epsilon() * magnitude_of(to_.t)));
   const S at =
-      low_value > S(0) ? gauss::event::falls_through(low, low_value, high, high_value, nearness, value) : from_.t;
+      low_value > none ? gauss::event::falls_through(low, low_value, high, high_value, nearness, value) : from_.t;
   return first_hit(one, at, last, slow, nearness);
 }
 

@@ -48,6 +48,7 @@ class GuardedStep {
     bool is_slip;
   };
 
+  S uncertainty_of(std::size_t guard, const S& t) const;
   void look_at_guards(Place& place) const;
   std::optional<S> crossing(const Watched& one, const S& slow) const;
   bool is_hit(const Watched& one, const S& at, const S& slow) const;

@@ -166,7 +166,7 @@ bool Hybrid<S>::settle(const Bans& banned, const Bans& ended_here) {
         return outcome_ == Outcome::running;
       }
       overloaded = choice.overloaded();
-      if (why.empty()) why = why_not;
+      if (why.empty()) why = why_not + (choice.underived().empty() ? "" : "; " + choice.underived());
     }
     if (overloaded.empty()) break;
     here_.broken.insert(overloaded);

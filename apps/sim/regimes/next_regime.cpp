@@ -160,6 +160,21 @@ bool RegimeChoice<S>::rests(std::size_t friction) const {
          !(length_of(standing_.slip(friction)) > here_.slow());
 }
 
+/// What is closed and what sticks leave it no slip: then it sticks like these.
+template <class S>
+bool RegimeChoice<S>::is_held(const std::string& friction, const Modes& modes) const {
+  const auto& impact = standing_.impact;
+  gauss::event::OrthonormalVectors<S> held(impact.speeds);
+  held.add(held_rows(standing_, switches_, modes), S(1e-9));
+  for (std::size_t f = 0; f < impact.slips.size(); ++f) {
+    for (std::size_t i = 0; switches_.frictions[f].name == friction && i < impact.slips[f]; ++i) {
+      const std::vector<S> row = impact.row_in_metric(impact.first_slip(f) + i);
+      if (length_of(held.across(row)) > S(1e-9) * length_of(row)) return false;
+    }
+  }
+  return true;
+}
+
 /// None: it does not act.
 template <class S>
 std::vector<std::string> RegimeChoice<S>::ways_of(std::size_t f, const Modes& modes) const {
@@ -208,7 +223,10 @@ template <class S>
 std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, const Opens& opens, std::string& why) {
   if (modes == ended_.regime) return why = "this has just come to its end", std::nullopt;
   NextRegime<S> next{modes, pool_.at(modes, why), here_.x};
-  if (next.regime == nullptr) return std::nullopt;
+  if (next.regime == nullptr) {
+    if (underived_.empty()) underived_ = why;
+    return std::nullopt;
+  }
   if (!next.regime->project(here_.t, next.x))
     return why = "no state is near that satisfies its constraints", std::nullopt;
   tell_unloaded(*next.regime);
@@ -261,6 +279,8 @@ bool RegimeChoice<S>::holds(const NextRegime<S>& next, const Opens& opens, std::
     const bool begins = here_.halted.count(guard.of) > 0 || magnitude_of(now[g]) <= here_.slow();
     if (has_sense && begins && sense * change < -S(1e-6) * size)
       return why = fmt::format("'{}' would turn back", guard.of), false;
+    if (has_sense && begins && sense * change <= S(1e-6) * size && is_held(guard.of, next.modes))
+      return why = fmt::format("'{}' would not slide", guard.of), false;
     if (has_sense && !begins && sense * now[g] < S(0)) return false;
   }
   return true;

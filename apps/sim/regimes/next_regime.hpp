@@ -40,6 +40,9 @@ class RegimeChoice {
   /// Of the links that broke in regimes that were tried, the one whose load was the largest part of its strength; empty: none did.
   const std::string& overloaded() const { return overloaded_; }
 
+  /// Why one of the regimes that were tried could not be derived; empty: all could.
+  const std::string& underived() const { return underived_; }
+
  private:
   using Ways = std::vector<std::pair<std::string, std::vector<std::string>>>;
   using Opens = std::set<std::string>;
@@ -52,6 +55,7 @@ class RegimeChoice {
   bool is_allowed(const Opens& opens) const;
   bool is_banned(const std::string& name, const std::string& mode) const;
   bool rests(std::size_t friction) const;
+  bool is_held(const std::string& friction, const Modes& modes) const;
   std::vector<std::string> ways_of(std::size_t friction, const Modes& modes) const;
   std::optional<NextRegime<S>> find_with(const Opens& opens, std::string& why);
   std::optional<NextRegime<S>> consistent(const Modes& modes, const Opens& opens, std::string& why);
@@ -67,7 +71,7 @@ class RegimeChoice {
   std::optional<std::optional<Opens>> unpressed_;  ///< once it is asked for; in it nothing: the principle has no answer
   S free_ = 0;                                     ///< the largest acceleration while nothing holds
   std::size_t tried_ = 0;
-  std::string overloaded_;
+  std::string overloaded_, underived_;
   S overload_ = 0;
 };
 

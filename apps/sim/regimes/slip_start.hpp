@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gauss/event/null_space.hpp"
 #include "sim/regimes/instant.hpp"
 #include "sim/regimes/standing.hpp"
 
@@ -24,28 +25,37 @@ class SlipStart {
   std::optional<Numbers<S>> state(std::string& why);
 
  private:
-  using Direction = std::vector<S>;  ///< of length 1, in parts of moves_
+  using Direction = std::vector<S>;  ///< of length 1, in parts of moves
+  using Vectors = std::vector<std::vector<S>>;
 
-  void find_moves(const Standing<S>& standing, const Switches& switches, const Modes& modes,
-                  const std::vector<std::size_t>& beginning);
-  void leave_rest(const Standing<S>& standing, const std::vector<std::size_t>& beginning);
-  Direction moves_with(const std::vector<S>& slips) const;
-  Numbers<S> sliding(const Direction& way) const;
-  Direction acceleration(const Direction& way) const;
-  Direction turning(const Direction& way) const;
-  std::optional<Direction> in_line() const;
-  std::optional<Direction> in_plane() const;
-  std::optional<Direction> in_space() const;
-  std::optional<Direction> nearer(const Direction& way, const Direction& turn, S& stiffness) const;
+  /// Frictions whose slips depend on each other, as those of one body do.
+  struct Block {
+    std::string frictions;            ///< in words
+    std::vector<std::size_t> guards;  ///< that tell the slips
+    Vectors
+        moves;  ///< changes of speeds that make slip, and leave as they are what holds: orthonormal in the metric of masses
+    Vectors slips;  ///< of each guard, by each move
+    Direction way;
+  };
+
+  void find_blocks(const Standing<S>& standing, const Switches& switches, const Modes& modes,
+                   const std::vector<std::size_t>& beginning);
+  Block block_of(const std::vector<std::size_t>& frictions, const Standing<S>& standing, const Switches& switches,
+                 gauss::event::OrthonormalVectors<S> held) const;
+  void leave_rest(const Block& block, const std::vector<S>& left);
+  Direction moves_with(const Block& block, const std::vector<S>& slips) const;
+  Numbers<S> sliding() const;
+  Direction acceleration(Block& block, const Direction& way) const;
+  Direction turning(Block& block, const Direction& way) const;
+  std::optional<Direction> way_of(Block& block) const;
+  std::optional<Direction> in_plane(Block& block) const;
+  std::optional<Direction> in_space(Block& block) const;
+  std::optional<Direction> nearer(Block& block, const Direction& way, const Direction& turn, S& stiffness) const;
 
   const Regime<S>& regime_;
   const Instant<S>& here_;
   Numbers<S> x_;
-  std::string frictions_;            ///< in words
-  std::vector<std::size_t> guards_;  ///< that tell the slips
-  std::vector<std::vector<S>>
-      moves_;  ///< changes of speeds that make slip, and leave as they are what holds: orthonormal in the metric of masses
-  std::vector<std::vector<S>> slips_;  ///< of each guard, by each move
+  std::vector<Block> blocks_;
   S speed_ = 0;
 };
 

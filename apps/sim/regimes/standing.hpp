@@ -53,4 +53,23 @@ bool find_standing(const Regime<S>& ground, const Switches& switches, const S& t
   return true;
 }
 
+/// Rows of constraints, closed contacts and what sticks, of length 1 in the metric of masses.
+template <class S>
+std::vector<std::vector<S>> held_rows(const Standing<S>& standing, const Switches& switches, const Modes& modes) {
+  const auto& impact = standing.impact;
+  std::vector<std::vector<S>> result;
+  const auto hold = [&](std::size_t k) {
+    std::vector<S> one = impact.row_in_metric(k);
+    if (gauss::event::length_of(one) > S(0)) result.push_back(gauss::event::in_one_direction(std::move(one)));
+  };
+  for (std::size_t k = 0; k < impact.constraints; ++k) hold(k);
+  for (std::size_t c = 0; c < impact.contacts(); ++c)
+    if (modes.at(switches.contacts[c].name) == "closed") hold(impact.constraints + c);
+  for (std::size_t f = 0; f < impact.slips.size(); ++f) {
+    if (modes.at(switches.frictions[f].name) != "sticks") continue;
+    for (std::size_t i = 0; i < impact.slips[f]; ++i) hold(impact.first_slip(f) + i);
+  }
+  return result;
+}
+
 }  // namespace gausssim

@@ -28,6 +28,13 @@ S length_of(const std::vector<S>& v) {
   return Math<S>::sqrt(product_of(v, v));
 }
 
+template <class S>
+std::vector<S> in_one_direction(std::vector<S> v) {
+  const S length = length_of(v);
+  for (S& one : v) one /= length;
+  return v;
+}
+
 /// Row by row.
 template <class S>
 struct DenseMatrix {

@@ -11,6 +11,7 @@
 
 #include "gauss/event/couplings.hpp"
 #include "gauss/event/dense.hpp"
+#include "gauss/event/null_space.hpp"
 
 namespace gauss::event {
 
@@ -28,6 +29,14 @@ struct ImpactProblem {
 
   std::size_t contacts() const { return restitution.size(); }
   std::size_t count() const { return rates.size(); }
+  /// A row, and changes of the speeds, in coordinates in which inertia is 1 (null_space.hpp).
+  std::vector<S> row_in_metric(std::size_t row) const {
+    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(row * speeds);
+    return in_metric(metric, std::vector<S>(begin, begin + static_cast<std::ptrdiff_t>(speeds)), speeds, 1).entries;
+  }
+  std::vector<S> out_of_metric(const std::vector<S>& change) const {
+    return gauss::event::out_of_metric(metric, change);
+  }
   std::size_t first_slip(std::size_t friction) const {
     std::size_t first = constraints + contacts();
     for (std::size_t f = 0; f < friction; ++f) first += slips[f];
@@ -99,7 +108,7 @@ class ImpactSolver {
 
   /// Gauss-Seidel with projections: near enough to tell what has an impulse, and what slips which way. At first as if each row gave way: that leaves equal parts to rows that do the same.
   void relax(const S& step) {
-    for (const double yield : {0.1, 1e-2, 1e-3, 0.0}) relax(S(yield), step, yield > 0 ? 200 : 2000);
+    for (const double yield : {0.1, 1e-2, 1e-3, 0.0}) relax(S(yield), step, yield > 0 ? 200 : 20000);
   }
 
   void relax(const S& yield, const S& step, int sweeps) {

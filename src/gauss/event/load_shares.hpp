@@ -39,7 +39,7 @@ struct LoadProblem {
   std::size_t count() const { return reactions.size(); }
 };
 
-/// Of all reactions that make the same motion: equal stiffness of all that holds tells the part of what is brittle, the least reactions in the metric of masses. Of the rest those count that leave
+/// Of all reactions that make the same motion: equal stiffness of all that holds tells the part of what is brittle, the least sum of squares of reactions. Of the rest those count that leave
 /// the most to what is nearest to its limit: friction and contacts give way without losing what they bear, so they hold if there is any choice in which all of them do (the static theorem of
 /// limit analysis; W. Prager and P. G. Hodge, Theory of Perfectly Plastic Solids, 1951, chapter 8).
 template <class S>
@@ -51,7 +51,7 @@ class LoadShares {
     for (std::size_t i = 0; i < count; ++i) is_shared_.push_back(depends(i) ? 1 : 0);
     narrow(fixed_rows());
     for (std::size_t i = 0; i < count; ++i) is_open_.push_back(depends(i) ? 1 : 0);
-    move(least_change(all_rows()));
+    move(least_change(all_rows(), true));
     narrow(brittle_rows());
     unload();
     leave_idle_friction();
@@ -60,11 +60,11 @@ class LoadShares {
   /// Its reactions are not unique, whether or not forces contain them.
   bool is_shared(std::size_t judged) const { return is_shared_[judged] != 0; }
 
-  /// Of each judged load, nothing where its reactions are unique; else how much is left to it, in the unit of its reaction: below 0 where no choice holds.
+  /// Of each judged load, nothing where its reactions are unique, unless it is brittle; else how much is left to it, in the unit of its reaction: below 0 where no choice holds.
   std::vector<std::optional<S>> margins() {
     std::vector<std::optional<S>> result(problem_.judged.size());
     for (std::size_t i = 0; i < result.size(); ++i)
-      if (is_open_[i] != 0) result[i] = (is_idle(i) ? size() : value_of(i)) / norm(i);
+      if (is_open_[i] != 0 || problem_.judged[i].is_brittle) result[i] = (is_idle(i) ? size() : value_of(i)) / norm(i);
     const std::vector<std::size_t> movable = those_that_move();
     std::vector<std::optional<S>> floors(movable.size());
     // What is overloaded says nothing of the others: these share what is left.
@@ -108,11 +108,20 @@ class LoadShares {
     for (std::size_t k = 0; k < result.size(); ++k) result[k] = k;
     return result;
   }
+  /// What forces contain, and constraints that limits depend on: these would press each other as hard as friction needs.
   Indices fixed_rows() const {
+    std::vector<char> is_fixed = problem_.is_fixed;
+    for (const JudgedLoad<S>& one : problem_.judged)
+      for (std::size_t k = 0; k < problem_.count(); ++k)
+        if (magnitude_of(one.per_reaction[k]) > S(0) && !is_contact(k)) is_fixed[k] = 1;
     Indices result;
     for (std::size_t k = 0; k < problem_.count(); ++k)
-      if (problem_.is_fixed[k] != 0) result.push_back(k);
+      if (is_fixed[k] != 0) result.push_back(k);
     return result;
+  }
+  bool is_contact(std::size_t row) const {
+    return std::any_of(problem_.judged.begin(), problem_.judged.end(),
+                       [row](const JudgedLoad<S>& one) { return !one.has_limit && one.rows.front() == row; });
   }
   Indices brittle_rows() const {
     Indices result;
@@ -139,15 +148,16 @@ class LoadShares {
     basis_ = std::move(narrowed);
   }
 
-  /// That leaves least of these rows.
-  std::vector<S> least_change(const Indices& rows) const {
+  /// That leaves least of these rows; `as_forces`: of the reactions themselves, as if all were equally stiff.
+  std::vector<S> least_change(const Indices& rows, bool as_forces = false) const {
     const DenseMatrix<S> part = part_of_basis(rows);
     DenseMatrix<S> normal(open(), open());
     std::vector<S> right(open(), S(0));
     for (std::size_t r = 0; r < rows.size(); ++r) {
+      const S weight = as_forces ? S(1) / (norms_[rows[r]] * norms_[rows[r]]) : S(1);
       for (std::size_t i = 0; i < open(); ++i) {
-        right[i] -= part(r, i) * reactions_[rows[r]];
-        for (std::size_t j = 0; j < open(); ++j) normal(i, j) += part(r, i) * part(r, j);
+        right[i] -= weight * part(r, i) * reactions_[rows[r]];
+        for (std::size_t j = 0; j < open(); ++j) normal(i, j) += weight * part(r, i) * part(r, j);
       }
     }
     return solve_dense(std::move(normal), std::move(right));
@@ -267,7 +277,7 @@ class LoadShares {
   /// It neither bears anything nor can.
   bool is_idle(std::size_t i) const {
     const JudgedLoad<S>& one = problem_.judged[i];
-    const bool cannot = one.has_limit ? idle_[i] != 0 : one.is_unloaded && !depends(i);
+    const bool cannot = is_open_[i] != 0 && (one.has_limit ? idle_[i] != 0 : one.is_unloaded && !depends(i));
     return cannot && magnitude_of(value_of(i)) <= none() * size();
   }
 

@@ -23,8 +23,7 @@ class OrthonormalVectors {
       std::size_t best = 0;
       S longest = -1;
       for (std::size_t c = 0; c < candidates.size(); ++c) {
-        // Twice is enough.
-        for (int again = 0; again < 2; ++again) remove_from(candidates[c]);
+        candidates[c] = across(std::move(candidates[c]));
         const S length = length_of(candidates[c]);
         if (length > longest) longest = length, best = c;
       }
@@ -32,6 +31,12 @@ class OrthonormalVectors {
       for (S& x : candidates[best]) x /= longest;
       vectors.push_back(candidates[best]);
     }
+  }
+
+  /// The part of a vector that is across all of these. (Twice is enough.)
+  std::vector<S> across(std::vector<S> v) const {
+    for (int again = 0; again < 2; ++again) remove_from(v);
+    return v;
   }
 
   std::vector<std::vector<S>> vectors;
