@@ -252,7 +252,7 @@ class LargestMargin {
 
   /// Newton's method for the conditions of the maximum, Σ μ ∇m = 0 and Σ μ = 1 with m = s, from near it.
   Balance balanced(const std::vector<S>& multipliers, const std::vector<S>& from) const {
-    constexpr int k_steps = 8;
+    constexpr int k_steps = 12;
     std::vector<std::pair<Plane, S>> binding = binding_planes(multipliers);
     Balance result{from, S(0), {}, false};
     if (binding.empty()) return result;
@@ -265,6 +265,8 @@ class LargestMargin {
       DenseMatrix<S> matrix(n + 1 + m, n + 1 + m);
       std::vector<S> right(n + 1 + m, S(0));
       right[n] = S(1);
+      // Where all is level, rounding says which way: no way is far then.
+      for (std::size_t i = 0; i < n; ++i) matrix(i, i) = -S(1e-3) / size_;
       for (std::size_t k = 0; k < m; ++k) {
         const auto& [plane, part] = binding[k];
         const Expansion here = expand(plane, result.z);
