@@ -123,6 +123,69 @@ constraints:
 """
 
 
+PUCKS = """gauss: 1
+name: pucks
+parameters: {m: 1, g: 9.81, mu: 0.2, alpha: 0.5}
+coordinates: {x1: {}, y1: {}, z1: {}, x2: {}, y2: {initial: 1}, z2: {}}
+particles:
+  a: {mass: m, position: [x1, y1, z1]}
+  b: {mass: m, position: [x2, y2, z2]}
+contacts: {under_a: {gap: z1}, under_b: {gap: z2}}
+forces:
+  gravity: {uniform: [g*sin(alpha), 0, -g*cos(alpha)]}
+  at_a: {friction: [dot(x1), dot(y1)], limit: mu*under_a.reaction}
+  at_b: {friction: [dot(x2), dot(y2)], limit: mu*under_b.reaction}
+"""
+
+BEAM = """gauss: 1
+name: beam
+parameters: {m: 40, g: 9.81, J: 10, k: 40}
+coordinates: {z: {}, th: {}}
+bodies: {beam: {mass: m, inertia: [J, J, J], position: [0, 0, z], orientation: {axis: y, angle: th}}}
+constraints:
+  h1: {equation: z + 1.5*sin(th), breaks_at: 150}
+  h2: {equation: z + 0.5*sin(th), breaks_at: 150}
+  h3: {equation: z - 0.5*sin(th), breaks_at: 150}
+  h4: {equation: z - 1.5*sin(th), breaks_at: 150}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  load: {generalized: {z: -k*t}}
+"""
+
+DROP = """gauss: 1
+name: drop
+parameters: {m: 3, a: 0.4, b: 0.3, h: 0.2, g: 9.81, e: 0.5}
+coordinates: {x: {initial_rate: 1}, y: {}, z: {initial: h + 0.3}}
+orientations: {q: {quaternion: [e0, e1, e2, e3], angular_velocity: [wx, wy, wz]}}
+bodies: {box: {mass: m, inertia: [m*(b^2+h^2)/3, m*(a^2+h^2)/3, m*(a^2+b^2)/3], position: [x, y, z], orientation: q}}
+points:
+  p1: {on: box, at: [a, b, -h]}
+  p2: {on: box, at: [a, -b, -h]}
+  p3: {on: box, at: [-a, b, -h]}
+  p4: {on: box, at: [-a, -b, -h]}
+contacts:
+  c1: {gap: p1.z, restitution: e}
+  c2: {gap: p2.z, restitution: e}
+  c3: {gap: p3.z, restitution: e}
+  c4: {gap: p4.z, restitution: e}
+forces: {gravity: {uniform: [0, 0, -g]}}
+"""
+
+DOOR = """gauss: 1
+name: door
+parameters: {m: 1, g: 9.81, mu: 0.4}
+coordinates: {x: {}, z: {}}
+particles: {p: {mass: m, position: [x, 0, z]}}
+constraints:
+  rail: {equation: z}
+  doubled: {equation: 2*z}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  pull: {generalized: {x: t}}
+  rubs: {friction: dot(x), limit: mu*rail.reaction}
+"""
+
+
 def least(function, low, high):
     """Of a convex function."""
     for _ in range(100):
@@ -202,6 +265,62 @@ class Loads(Regimes):
         # With 10 N: 5 N.
         table, events = self.go(SHAFT.replace("side: 0", "side: 10"), "--duration", "1", "--samples", "11")
         self.assertAlmostEqual(table["z"][-1], -(G - 5) / 2, delta=1e-12)
+
+    def test_nor_do_walls_that_go_apart(self):
+        """A particle between faces that are 0.1 rad off the vertical: friction of which one would 'slide' without a slip could hold it."""
+        shaft = SHAFT.replace("gap: x}", "gap: x*cos(0.1) - z*sin(0.1)}").replace("gap: -x}", "gap: -x*cos(0.1) - z*sin(0.1)}")
+        shaft = shaft.replace("at_left: {friction: dot(z),", "at_left: {friction: dot(x)*sin(0.1) + dot(z)*cos(0.1),")
+        shaft = shaft.replace("at_right: {friction: dot(z),", "at_right: {friction: -dot(x)*sin(0.1) + dot(z)*cos(0.1),")
+        table, _ = self.go(shaft, "--duration", "1", "--samples", "11")
+        for t, z in zip(table["t"], table["z"]):
+            self.assertAlmostEqual(z, -G * t ** 2 / 2, delta=1e-12)
+
+    def test_constraints_that_depend_on_each_other_give_friction_no_more_than_their_share(self):
+        _, events = self.go(DOOR, "--duration", "6", "--samples", "3")
+        [slides] = self.instants(events, "forwards")
+        self.assertLess(slides, 0.4 * G + 1e-9)
+
+    def test_pucks_that_begin_to_slide_together_go_their_ways(self):
+        table, _ = self.go(PUCKS, "--duration", "1", "--samples", "11")
+        a = G * (math.sin(0.5) - 0.2 * math.cos(0.5))
+        for name in ("x1", "x2"):
+            for t, x in zip(table["t"], table[name]):
+                self.assertAlmostEqual(x, a * t ** 2 / 2, delta=1e-10)
+
+    def test_a_ladder_on_two_feet_slips_as_on_one(self):
+        """Pushed along an axis, so that a slip begins exactly in the direction in which nobody may look first."""
+        wide = LADDER.replace('z: {initial: 0.2}', 'y: {}, z: {initial: 0.2}').replace("position: [x, 0, z]", "position: [x, y, z]")
+        for name, place in (("foot", "l/2"), ("top", "-l/2")):
+            wide = wide.replace(f"  {name}: {{on: rod, at: [{place}, 0, 0]}}\n",
+                                "".join(f"  {name}{i}: {{on: rod, at: [{place}, {w}, 0]}}\n" for i, w in ((1, 0.1), (2, -0.1))))
+        wide = wide.replace("  floor: {gap: foot.z}\n  wall: {gap: top.x}\n",
+                            "".join(f"  floor{i}: {{gap: foot{i}.z}}\n  wall{i}: {{gap: top{i}.x}}\n" for i in (1, 2)))
+        wide = wide.replace("  pull: {on: foot, force: [c*t, 0, 0]}", "  pull: {on: foot, force: [c*t, 0, 0]}".replace("foot", "middle"))
+        wide = wide.replace("points:\n", "points:\n  middle: {on: rod, at: [l/2, 0, 0]}\n")
+        a, b = wide.index("  at_floor:"), len(wide)
+        wide = wide[:a] + "".join(f"  at_floor{i}: {{friction: [dot(foot{i}.x), dot(foot{i}.y)], limit: mu*floor{i}.reaction}}\n"
+                                  f"  at_wall{i}: {{friction: [dot(top{i}.y), dot(top{i}.z)], limit: mu*wall{i}.reaction}}\n" for i in (1, 2))
+        one, _ = self.go(LADDER, "--duration", "2", "--samples", "11")
+        two, _ = self.go(wide, "--duration", "2", "--samples", "11", timeout=60)
+        for x, other in zip(one["x"], two["x"]):
+            self.assertAlmostEqual(x, other, delta=1e-9)
+
+    def test_four_hangers_of_a_beam_have_a_quarter_each(self):
+        _, events = self.go(BEAM, "--duration", "8", "--samples", "3")
+        self.assertEqual(len(events), 4)
+        for t, words, _ in events:
+            self.assertAlmostEqual(t, (4 * 150 - 40 * G) / 40, delta=1e-12, msg=words)
+
+    def test_feet_that_fall_flat_touch_at_once(self):
+        """Bounces of all four together: rest after 3 sqrt(2 H/g), for e = 0.5."""
+        table, events = self.go(DROP, "--duration", "1", "--samples", "11")
+        hits = [t for t, words, _ in events if words.endswith("hits")]
+        self.assertEqual(len(hits) % 4, 0)
+        for k in range(0, len(hits), 4):
+            self.assertEqual(set(hits[k:k + 4]), {hits[k]})
+        self.assertAlmostEqual(hits[-1], 3 * math.sqrt(0.6 / G), delta=1e-7)
+        for name in ("wx", "wy", "wz"):
+            self.assertAlmostEqual(table[name][-1], 0, delta=1e-9)
 
     def test_a_body_that_turns_away_from_a_wall_leaves_it(self):
         """Both contacts hold it at the start, and together they would hold it for ever: it turns about the right one."""
