@@ -227,7 +227,9 @@ class Regimes(Evaluate):
         self.write("brakes.yaml", RUBS.replace("friction: {friction: dot(x), limit: F}",
                                                "one: {friction: dot(x), limit: F}, two: {friction: dot(x), limit: 2*F}"))
         outputs = "--outputs=rhs,guards,load_system"
-        text = self.ok("brakes.yaml", "-o", "-", outputs)
+        emitted = self.run_it("brakes.yaml", "-o", "-", outputs)
+        self.assertIn("W054", emitted.stderr)
+        text = emitted.stdout
         for field in ("S g[1][1];", "S rows[2][1];", "S reactions[2];", "S limits[2];", "S per_reaction[2][2];"):
             self.assertIn(field, text)
         # Where one of them slides, the other one is alone.

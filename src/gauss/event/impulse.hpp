@@ -57,17 +57,16 @@ template <class S>
 class ImpactSolver {
  public:
   explicit ImpactSolver(const ImpactProblem<S>& problem)
-      : problem_(problem), couplings_(problem.metric, problem.rows, problem.speeds, problem.count()) {}
+      : problem_(problem),
+        couplings_(problem.metric, problem.rows, problem.speeds, problem.count()),
+        rates_(problem.rates),
+        restitution_(problem.restitution),
+        given_(problem.contacts(), S(0)) {}
 
   Impulses<S> solve() {
-    bool is_found = false;
-    // Shorter steps of friction where it turns the slip that it acts against.
-    for (const double step : {1.0, 0.3, 0.1, 0.03}) {
-      if (is_found) break;
-      impulses_.assign(problem_.count(), S(0));
-      relax(S(step));
-      is_found = settle();
-    }
+    bool is_found = find();
+    const bool rebounds = std::any_of(restitution_.begin(), restitution_.end(), [](const S& e) { return e > S(0); });
+    if (rebounds && !problem_.slips.empty() && (!is_found || gives_energy())) is_found = find_in_two_phases();
     Impulses<S> result;
     result.is_found = is_found;
     result.impulses = impulses_;
@@ -78,22 +77,61 @@ class ImpactSolver {
   }
 
  private:
+  bool find() {
+    // Shorter steps of friction where it turns the slip that it acts against.
+    for (const double step : {1.0, 0.3, 0.1, 0.03}) {
+      impulses_.assign(problem_.count(), S(0));
+      relax(S(step));
+      if (settle()) return true;
+    }
+    return false;
+  }
+
+  /// Seen from what moves by itself: p (φ⁻ + φ⁺)/2.
+  bool gives_energy() const {
+    S sum = 0, size = 0;
+    for (std::size_t k = 0; k < problem_.count(); ++k) {
+      sum += impulses_[k] * (rates_[k] + rate(k));
+      size = std::max(size, magnitude_of(S(impulses_[k] * rates_[k])));
+    }
+    return sum > least(1e-9) * size;
+  }
+
+  /// Poisson's law, which has impulses, and takes energy, where restitution of rates and friction leave none, or would give some: those that stop what closes, and then as large a part of these
+  /// as restitution says, with friction in both phases (F. Pfeiffer and C. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8).
+  bool find_in_two_phases() {
+    std::fill(restitution_.begin(), restitution_.end(), S(0));
+    if (!find()) return false;
+    std::vector<S> first = impulses_;
+    for (std::size_t c = 0; c < problem_.contacts(); ++c) {
+      const std::size_t k = problem_.constraints + c;
+      const S closing = problem_.rates[k] < S(0) ? problem_.restitution[c] : S(0);
+      given_[c] = closing * impulses_[k];
+      first[k] += given_[c];
+    }
+    for (std::size_t k = 0; k < problem_.count(); ++k)
+      for (std::size_t j = 0; j < problem_.count(); ++j) rates_[k] += couplings_.between(k, j) * first[j];
+    if (!find()) return false;
+    for (std::size_t k = 0; k < problem_.count(); ++k) impulses_[k] += first[k];
+    return true;
+  }
+
   S rate(std::size_t row) const {
-    S sum = problem_.rates[row];
+    S sum = rates_[row];
     for (std::size_t j = 0; j < problem_.count(); ++j) sum += couplings_.between(row, j) * impulses_[j];
     return sum;
   }
 
   /// What the rate of a gap is to be, where it has an impulse.
   S target(std::size_t contact) const {
-    const S before = problem_.rates[problem_.constraints + contact];
-    return before < S(0) ? -problem_.restitution[contact] * before : S(0);
+    const S before = rates_[problem_.constraints + contact];
+    return before < S(0) ? -restitution_[contact] * before : S(0);
   }
 
   S limit(std::size_t friction) const {
     S sum = 0;
     for (std::size_t c = 0; c < problem_.contacts(); ++c)
-      sum += problem_.limits[friction * problem_.contacts() + c] * impulses_[problem_.constraints + c];
+      sum += problem_.limits[friction * problem_.contacts() + c] * (impulses_[problem_.constraints + c] + given_[c]);
     return std::max(sum, S(0));
   }
 
@@ -181,6 +219,7 @@ class ImpactSolver {
   bool holds() const {
     S fastest = 0, largest = 0;
     for (const S& one : problem_.rates) fastest = std::max(fastest, magnitude_of(one));
+    for (const S& one : given_) largest = std::max(largest, one);
     for (const S& one : impulses_) largest = std::max(largest, magnitude_of(one));
     const S of_rates = least(1e-9) * fastest, of_impulses = least(1e-9) * largest;
     for (std::size_t k = 0; k < problem_.constraints; ++k)
@@ -224,6 +263,7 @@ class ImpactSolver {
     for (const S& one : problem_.rates) fastest = std::max(fastest, magnitude_of(one));
     // Slip that is left has its friction from the contacts: a part of their columns.
     DenseMatrix<S> by(m, m);
+    std::vector<S> of_given(m, S(0));
     for (std::size_t k = 0; k < m; ++k) by(k, k) = S(1);
     for (std::size_t f = 0; f < problem_.slips.size(); ++f) {
       if (!may_have_limit(f)) continue;
@@ -240,8 +280,10 @@ class ImpactSolver {
         }
         by(k, k) = S(0);
         const S direction = rests ? S(-impulses_[k] / taken) : slip > S(0) ? S(rate(k) / slip) : S(0);
-        for (std::size_t c = 0; c < problem_.contacts(); ++c)
+        for (std::size_t c = 0; c < problem_.contacts(); ++c) {
           by(k, problem_.constraints + c) = -direction * problem_.limits[f * problem_.contacts() + c];
+          of_given[k] -= direction * problem_.limits[f * problem_.contacts() + c] * given_[c];
+        }
       }
     }
     DenseMatrix<S> matrix(active.size(), active.size());
@@ -249,12 +291,13 @@ class ImpactSolver {
     for (std::size_t i = 0; i < active.size(); ++i) {
       const std::size_t row = active[i];
       const bool is_gap = row >= problem_.constraints && row < problem_.constraints + problem_.contacts();
-      right[i] = (is_gap ? target(row - problem_.constraints) : S(0)) - problem_.rates[row];
+      right[i] = (is_gap ? target(row - problem_.constraints) : S(0)) - rates_[row];
+      for (std::size_t k = 0; k < m; ++k) right[i] -= couplings_.between(row, k) * of_given[k];
       for (std::size_t j = 0; j < active.size(); ++j)
         for (std::size_t k = 0; k < m; ++k) matrix(i, j) += couplings_.between(row, k) * by(k, active[j]);
     }
     const std::vector<S> found = least_solution(matrix, right, active);
-    std::vector<S> all(m, S(0));
+    std::vector<S> all = of_given;
     for (std::size_t j = 0; j < active.size(); ++j)
       for (std::size_t k = 0; k < m; ++k) all[k] += by(k, active[j]) * found[j];
     impulses_ = all;
@@ -295,6 +338,8 @@ class ImpactSolver {
 
   const ImpactProblem<S>& problem_;
   Couplings<S> couplings_;
+  std::vector<S> rates_, restitution_;  ///< of the phase
+  std::vector<S> given_;                ///< impulses of contacts that it begins with
   std::vector<S> impulses_;
 };
 

@@ -186,6 +186,21 @@ forces:
 """
 
 
+GROOVE = """gauss: 1
+name: groove
+parameters: {m: 1, r: 0.1, g: 9.81, beta: 0.3, mu: 0.5, e: 0.5}
+coordinates: {x: {}, z: {initial: 0.5}, th: {}}
+bodies: {disc: {mass: m, inertia: [m*r^2/2, m*r^2/2, m*r^2/2], position: [x, 0, z], orientation: {axis: y, angle: th}}}
+contacts:
+  left: {gap: x*cos(beta) + z*sin(beta), restitution: e}
+  right: {gap: -x*cos(beta) + z*sin(beta), restitution: e}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  at_left: {friction: -dot(x)*sin(beta) + dot(z)*cos(beta) - r*dot(th), limit: mu*left.reaction}
+  at_right: {friction: dot(x)*sin(beta) + dot(z)*cos(beta) + r*dot(th), limit: mu*right.reaction}
+"""
+
+
 def least(function, low, high):
     """Of a convex function."""
     for _ in range(100):
@@ -320,6 +335,16 @@ class Loads(Regimes):
             self.assertEqual(set(hits[k:k + 4]), {hits[k]})
         self.assertAlmostEqual(hits[-1], 3 * math.sqrt(0.6 / G), delta=1e-7)
         for name in ("wx", "wy", "wz"):
+            self.assertAlmostEqual(table[name][-1], 0, delta=1e-9)
+
+    def test_a_disc_that_falls_into_a_rough_groove_is_caught(self):
+        """Newton's law of restitution has no impulses for it. By Poisson's, friction holds what would throw it back: mu > tan(beta)."""
+        table, events = self.go(GROOVE, "--duration", "2", "--samples", "201")
+        hits = [t for t, words, _ in events if words.endswith("hits")]
+        self.assertAlmostEqual(hits[0], math.sqrt(1 / G), delta=1e-12)
+        energy = table["energy.total"]
+        self.assertTrue(all(later <= before + 1e-12 for before, later in zip(energy, energy[1:])))
+        for name in ("x", "z", "th", "z_dot"):
             self.assertAlmostEqual(table[name][-1], 0, delta=1e-9)
 
     def test_a_body_that_turns_away_from_a_wall_leaves_it(self):
