@@ -233,7 +233,9 @@ class Regimes(Evaluate):
         for field in ("S g[1][1];", "S rows[2][1];", "S reactions[2];", "S limits[2];", "S per_reaction[2][2];"):
             self.assertIn(field, text)
         # Where one of them slides, the other one is alone.
-        self.assertNotIn("struct LoadSystem", self.ok("brakes.yaml", "-o", "-", outputs, "--regime", "one=forwards"))
+        alone = self.run_it("brakes.yaml", "-o", "-", outputs, "--regime", "one=forwards")
+        self.assertNotIn("struct LoadSystem", alone.stdout)
+        self.assertIn("all reactions that its guards judge are unique", alone.stderr)
 
     def test_a_restitution_that_no_impact_has_is_refused(self):
         for e in ("1.5", "-0.1"):
