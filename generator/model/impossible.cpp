@@ -131,6 +131,17 @@ void check_size(const std::string& what, const Ast& size, const Values& values, 
                    "it is the size of a force, whatever its direction: 0 or more"});
 }
 
+/// Friction that sticks with less than it slides with would slide, and be held, at once.
+void check_static_limit(const DryFriction& friction, const Values& values, std::vector<Diagnostic>& found) {
+  if (!friction.static_limit) return;
+  const auto sticks = value_of(*friction.static_limit, values), slides = value_of(friction.law.limit, values);
+  if (!sticks || !slides || !(*sticks < *slides) || *sticks < 0) return;
+  found.push_back(
+      {Severity::error, code::k_impossible_restitution, friction.static_limit->span,
+       fmt::format("the static limit of '{}' is below its limit", friction.name.text),
+       "friction that sticks holds at least what it takes while it slides; leave it out where both are the same"});
+}
+
 /// While contacts press.
 Values with_reactions(const Model& model, Values values) {
   for (const Contact& contact : model.contacts) values[contact.name.text + ".reaction"] = 1;
@@ -143,6 +154,7 @@ void check_sizes(const Model& model, const Values& given, std::vector<Diagnostic
     check_size(fmt::format("the limit of '{}'", friction.name.text), friction.law.limit, values, found);
     if (friction.static_limit)
       check_size(fmt::format("the static limit of '{}'", friction.name.text), *friction.static_limit, values, found);
+    check_static_limit(friction, values, found);
   }
   for (const Constraint& row : model.constraints) {
     if (row.breaks_at) check_size(fmt::format("the strength of '{}'", row.name.text), *row.breaks_at, values, found);

@@ -127,6 +127,9 @@ forces:
         self.assertIn("the limit of 'f' is below 0", result.stderr)
         self.write("model.yaml", BLOCK)
         self.assertIn("the limit of 'friction' is below 0", self.refused(2, "run", "model.yaml", "--set", "mu=-0.1", "-o", "x.csv"))
+        weak = (self.folder / "model.yaml").read_text(encoding="utf-8").replace("limit: ", "static_limit: 0, limit: ", 1)
+        self.write("weak.yaml", weak)
+        self.assertIn("the static limit of 'friction' is below its limit", self.refused(1, "run", "weak.yaml", "-o", "x.csv"))
 
     def test_events_and_their_summary_agree(self):
         for text, regimes, arguments in ((BOUNCE, 2, ["--duration", "9"]), (POOL, 4, ["--duration", "1"]), (BY_EQUATION, 2, ["--duration", "1"])):
