@@ -30,6 +30,12 @@ std::vector<NodeId> ids(const strategy::Matrix& rows) {
   return result;
 }
 
+strategy::Vector gradient_of(const Mechanics& mechanics, const kinematics::ConstraintRow& row) {
+  strategy::Vector gradient;
+  for (const auto i : mechanics.symbols.speeds.indices()) gradient.push_back(row.beta[mechanics.symbols.full(i)]);
+  return gradient;
+}
+
 strategy::Vector configuration_of(const Mechanics& mechanics) {
   strategy::Vector configuration;
   for (const auto& q : mechanics.symbols.configuration) configuration.push_back(mechanics.expressions.symbol(q.symbol));

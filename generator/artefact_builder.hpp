@@ -14,6 +14,9 @@ std::vector<emit::NodeId> ids(const strategy::Vector& values);
 std::vector<emit::NodeId> ids(const ir::Vector3& v);
 std::vector<emit::NodeId> ids(const strategy::Matrix& rows);  ///< row by row
 
+/// dphi/du of a constraint.
+strategy::Vector gradient_of(const Mechanics& mechanics, const kinematics::ConstraintRow& row);
+
 /// Coordinates and quaternions as the caller gives them.
 strategy::Vector configuration_of(const Mechanics& mechanics);
 

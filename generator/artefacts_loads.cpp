@@ -13,12 +13,6 @@ using strategy::Vector;
 
 namespace {
 
-Vector gradient_of(const Mechanics& mechanics, const kinematics::ConstraintRow& row) {
-  Vector gradient;
-  for (const auto i : mechanics.symbols.speeds.indices()) gradient.push_back(row.beta[mechanics.symbols.full(i)]);
-  return gradient;
-}
-
 /// What a limit is without reactions of constraints, and how it grows with each of them.
 struct LimitParts {
   Expr without;

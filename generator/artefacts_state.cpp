@@ -238,16 +238,6 @@ std::vector<Artefact> guards_artefact(Mechanics& mechanics) {
   return result;
 }
 
-namespace {
-
-Vector gradient_of(const Mechanics& mechanics, const kinematics::ConstraintRow& row) {
-  Vector gradient;
-  for (const auto i : mechanics.symbols.speeds.indices()) gradient.push_back(row.beta[mechanics.symbols.full(i)]);
-  return gradient;
-}
-
-}  // namespace
-
 std::vector<Artefact> impact_system_artefact(Mechanics& mechanics) {
   const kinematics::SwitchRows& switches = mechanics.kinematics.switches;
   strategy::Matrix rows;

@@ -9,6 +9,7 @@
 
 #include "gauss/event/load_shares.hpp"
 #include "sim/engine/binding.hpp"
+#include "sim/regimes/parts.hpp"
 #include "sim/regimes/switches.hpp"
 
 namespace gausssim {
@@ -40,13 +41,11 @@ class SharedLoads {
     problem.speeds = n;
     problem.is_fixed = fixed_;
     std::vector<S> limits, per_reaction;
-    auto next = static_cast<const S*>(filled.data());
-    for (const auto& [part, size] :
-         {std::pair{&problem.metric, n * n}, std::pair{&problem.rows, l * n}, std::pair{&problem.reactions, l},
-          std::pair{&limits, k}, std::pair{&per_reaction, k * l}}) {
-      part->assign(next, next + size);
-      next += size;
-    }
+    take_parts<S>(filled, {{&problem.metric, n * n},
+                           {&problem.rows, l * n},
+                           {&problem.reactions, l},
+                           {&limits, k},
+                           {&per_reaction, k * l}});
     for (std::size_t i = 0; i < k; ++i) {
       const GuardOf& guard = guards_[places[i]];
       const auto own = per_reaction.begin() + static_cast<std::ptrdiff_t>(i * l);

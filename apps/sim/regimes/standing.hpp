@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gauss/event/impulse.hpp"
+#include "sim/regimes/parts.hpp"
 #include "sim/regimes/regime.hpp"
 
 namespace gausssim {
@@ -43,13 +44,11 @@ bool find_standing(const Regime<S>& ground, const Switches& switches, const S& t
   const std::size_t rows = impact.first_slip(frictions);
   std::vector<S> filled(n * n + rows * n + rows + contacts + contacts * frictions, S(0));
   if (contacts + frictions > 0 && !ground.impact_system(t, x, filled)) return false;
-  auto next = static_cast<const S*>(filled.data());
-  for (const auto& [part, size] :
-       {std::pair{&impact.metric, n * n}, std::pair{&impact.rows, rows * n}, std::pair{&impact.rates, rows},
-        std::pair{&standing.gaps, contacts}, std::pair{&impact.limits, contacts * frictions}}) {
-    part->assign(next, next + size);
-    next += size;
-  }
+  take_parts<S>(filled, {{&impact.metric, n * n},
+                         {&impact.rows, rows * n},
+                         {&impact.rates, rows},
+                         {&standing.gaps, contacts},
+                         {&impact.limits, contacts * frictions}});
   return true;
 }
 

@@ -52,7 +52,7 @@ struct Impulses {
 };
 
 /// Moreau's law for all contacts at once: the rate of each gap becomes no less than -e times what it was, and there is an impulse only where it is
-/// that. Friction takes no more than its limit, against what slip is left. The result does not depend on the order of contacts.
+/// that. Friction takes no more than its limit, against what slip is left. Poisson's law where friction leaves that without impulses, or with energy that it gives. The result does not depend on the order of contacts.
 template <class S>
 class ImpactSolver {
  public:
