@@ -87,9 +87,8 @@ struct Mechanics : KinematicModel {
   MechanicsOptions options;
   std::shared_ptr<const UsualStates> usual_states;  ///< once somebody asks for them
   std::optional<std::size_t> usual_rank;            ///< of all constraints, likewise
-  std::set<std::size_t> vanishing;  ///< constraints whose gradient is known to vanish wherever they hold
-  bool has_unsolved_reactions =
-      false;  ///< forces depend on more reactions, coupled with each other, than are written out
+  std::set<std::size_t> vanishing;        ///< constraints whose gradient is known to vanish wherever they hold
+  bool has_unsolved_reactions = false;    ///< forces depend on reactions of which the equations say nothing
   std::vector<ir::SymbolId> multipliers;  ///< of a solution that is given, where functions of one were made
   std::vector<ir::SymbolId> start;        ///< of the configuration before a projection, where one was made
   std::optional<std::vector<support::Rational>>

@@ -15,8 +15,7 @@ struct Mechanics;
 ir::Expr reaction_of(const Mechanics& mechanics, const model::NamedReaction& of);
 
 /// Each reaction of Model::reactions as a function of the state: `mechanics` was formed with symbols in their place, in which its
-/// solution is linear. Nothing where more of them depend on each other than are written out, or where they say nothing of each other
-/// (theory.md, section 10).
+/// solution is linear. Nothing where the equations say nothing of them (theory.md, section 10).
 std::optional<std::vector<ir::Expr>> found_reactions(Mechanics& mechanics);
 
 }  // namespace gaussgen

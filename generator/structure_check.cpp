@@ -54,8 +54,7 @@ class StructureCheck {
     const std::string& first = model_.reactions.front().of;
     diagnostics_.error(
         support::code::k_coupled_reactions, model_.name.span,
-        fmt::format("forces depend on reactions ('{}.reaction' among them) that do not follow from their "
-                    "equations, or more than four that depend on each other do",
+        fmt::format("forces depend on reactions ('{}.reaction' among them) that do not follow from their equations",
                     first),
         "let fewer forces depend on reactions; what has a value without them is given by a formula");
   }

@@ -37,13 +37,20 @@ Eigen::MatrixXd of_unit_rows(Eigen::MatrixXd matrix) {
   return matrix;
 }
 
-std::size_t rank_of(const Eigen::MatrixXd& matrix, double tolerance) {
-  if (matrix.size() == 0) return 0;
+/// That none of the others follows from, the one that is farthest from those before first.
+std::vector<std::size_t> independent_rows(const Eigen::MatrixXd& matrix, double tolerance) {
+  std::vector<std::size_t> rows;
+  if (matrix.size() == 0) return rows;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(of_unit_rows(matrix).transpose());
-  std::size_t rank = 0;
-  for (Eigen::Index k = 0; k < std::min(matrix.rows(), matrix.cols()); ++k)
-    rank += std::abs(qr.matrixQR()(k, k)) > tolerance ? 1 : 0;
-  return rank;
+  for (Eigen::Index k = 0; k < std::min(matrix.rows(), matrix.cols()); ++k) {
+    if (std::abs(qr.matrixQR()(k, k)) > tolerance)
+      rows.push_back(static_cast<std::size_t>(qr.colsPermutation().indices()(k)));
+  }
+  return rows;
+}
+
+std::size_t rank_of(const Eigen::MatrixXd& matrix, double tolerance) {
+  return independent_rows(matrix, tolerance).size();
 }
 
 }  // namespace
@@ -84,16 +91,16 @@ evaluate::Evaluator<double> UsualStates::values_at(const State& state) const {
   return values;
 }
 
-std::optional<std::size_t> UsualStates::rank(const strategy::Matrix& rows, double tolerance) const {
+std::optional<std::vector<std::size_t>> UsualStates::independent(const strategy::Matrix& rows, double tolerance) const {
   if (!are_known()) return std::nullopt;
-  if (rows.empty()) return 0;
-  std::size_t largest = 0;
-  for (const State& state : states_) {
-    const auto here = rows_that_last(state, rows);
+  std::vector<std::size_t> most;
+  for (std::size_t k = 0; k < states_.size() && !rows.empty(); ++k) {
+    const auto here = rows_that_last(states_[k], rows);
     if (!here) return std::nullopt;
-    largest = std::max(largest, rank_of(*here, std::max(tolerance, state.rounding)));
+    std::vector<std::size_t> found = independent_rows(*here, std::max(tolerance, states_[k].rounding));
+    if (found.size() > most.size()) most = std::move(found);
   }
-  return largest;
+  return most;
 }
 
 std::optional<std::size_t> UsualStates::rank_where_alone(const strategy::Matrix& rows) const {
@@ -146,12 +153,30 @@ const UsualStates& usual_states(Mechanics& mechanics) {
 }  // namespace
 
 std::size_t rank_to(double tolerance, const strategy::Matrix& rows, Mechanics& mechanics) {
-  if (const auto rank = usual_states(mechanics).rank(rows, tolerance)) return *rank;
+  if (const auto found = usual_states(mechanics).independent(rows, tolerance)) return found->size();
   return generic_rank(GenericPoint(mechanics)(rows));
 }
 
+namespace {
+
+double usual_tolerance(const model::Model& model) { return model.rank_tolerance ? rank_tolerance(model) : k_rounding; }
+
+}  // namespace
+
 std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics) {
-  return rank_to(mechanics.model.rank_tolerance ? rank_tolerance(mechanics.model) : k_rounding, rows, mechanics);
+  return rank_to(usual_tolerance(mechanics.model), rows, mechanics);
+}
+
+std::vector<std::size_t> usual_base(Mechanics& mechanics) {
+  const strategy::Matrix& rows = mechanics.dynamics.b;
+  if (auto found = usual_states(mechanics).independent(rows, usual_tolerance(mechanics.model))) return *found;
+  const evaluate::Matrix here = GenericPoint(mechanics)(rows);
+  const std::vector<std::size_t> dependent = dependent_rows(multiply(here, transposed(here)));
+  std::vector<std::size_t> base;
+  for (std::size_t mu = 0; mu < rows.size(); ++mu) {
+    if (std::find(dependent.begin(), dependent.end(), mu) == dependent.end()) base.push_back(mu);
+  }
+  return base;
 }
 
 std::size_t usual_rank(Mechanics& mechanics) {

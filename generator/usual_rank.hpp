@@ -21,8 +21,9 @@ class UsualStates {
   /// Positions that satisfy the equations were found.
   bool are_known() const { return !states_.empty(); }
 
-  /// The largest rank of rows over the free speeds: sines as emitted code has them (gauss/constrained.hpp), to a tolerance; nothing where no position is known or an entry has no value.
-  std::optional<std::size_t> rank(const strategy::Matrix& rows, double tolerance) const;
+  /// Rows over the free speeds that do not follow from each other, in the state where these are the most: sines as emitted code has them (gauss/constrained.hpp), to a
+  /// tolerance. Nothing where no position is known or an entry has no value.
+  std::optional<std::vector<std::size_t>> independent(const strategy::Matrix& rows, double tolerance) const;
 
   /// Where no other place is found near the one at which the searches begin: the rank there. Nothing where there are others, or the search comes to none.
   std::optional<std::size_t> rank_where_alone(const strategy::Matrix& rows) const;
@@ -55,6 +56,9 @@ std::size_t usual_rank(const strategy::Matrix& rows, Mechanics& mechanics);
 
 /// Of all constraints; found once.
 std::size_t usual_rank(Mechanics& mechanics);
+
+/// As many of them that do not follow from each other there.
+std::vector<std::size_t> usual_base(Mechanics& mechanics);
 
 /// Without those whose gradient vanishes wherever they hold (Mechanics::vanishing): beside that, where a search has come to, it has a direction.
 std::size_t rank_that_holds(Mechanics& mechanics);

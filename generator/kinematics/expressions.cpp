@@ -82,7 +82,7 @@ std::vector<Expr> Expressions::rates_from_speeds() {
   for (const auto& row : speed_matrix_) {
     for (const Expr entry : row) has_rates_ = has_rates_ && at_rest(entry).id() == entry.id();
   }
-  auto solution = has_rates_ ? solve_sparse(speed_matrix_, u) : std::nullopt;
+  auto solution = has_rates_ ? solve_sparse(speed_matrix_, u, LargeBlocks::refuse) : std::nullopt;
   has_rates_ = solution.has_value();
   return solution.value_or(u);
 }

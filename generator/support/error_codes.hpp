@@ -105,7 +105,7 @@ inline constexpr ErrorCode k_missing_unit{"W062", "names without a unit beside o
 inline constexpr ErrorCode k_index{"E090", "an index or a count that cannot be worked out"};
 inline constexpr ErrorCode k_submodel_file{"E091", "the file of a submodel cannot be taken"};
 inline constexpr ErrorCode k_submodel_fit{"E092", "a submodel that does not fit into the model"};
-inline constexpr ErrorCode k_coupled_reactions{"E045", "forces that depend on too many reactions"};
+inline constexpr ErrorCode k_coupled_reactions{"E045", "reactions that forces leave open"};
 inline constexpr ErrorCode k_impossible_restitution{"E046", "a restitution, or the size of a force, that there is none of"};
 
 // Effects.

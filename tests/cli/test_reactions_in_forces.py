@@ -108,6 +108,21 @@ class ReactionsInForces(Program):
                 self.assertAlmostEqual(found["quantities"]["carried"], expected[3], delta=1e-13 * scale)
                 self.assertAlmostEqual(found["quantities"]["squared"], expected[3] * expected[4], delta=1e-12 * scale**2)
 
+    def test_as_many_reactions_as_there_are_depend_on_each_other(self):
+        """r_i = -load_i - sum of c_ij r_j, of coordinates that are held."""
+        names = "abcdef"
+        weights = [[sin(7 * i + 3 * j + 1) / 3 for j in range(6)] for i in range(6)]
+        forces = "".join(f"  of_{name}: {{generalized: {{{name}: {i + 1}" + "".join(f" + ({w!r})*{other}.reaction" for w, other in zip(row, names))
+                         + "}}\n" for i, (name, row) in enumerate(zip(names, weights)))
+        held = ", ".join(f"{name}: {{held_at: 0}}" for name in names)
+        text = ("gauss: 1\nname: circle\ncoordinates: {x: {initial_rate: 1}, " + held + "}\nparticles: {p: {mass: 1, position: [x, a, b]}, "
+                "q: {mass: 1, position: [c, d, e]}, r: {mass: 1, position: [f, 0, 0]}}\nforces:\n" + forces)
+        status, found = self.values(text)
+        self.assertEqual(status, "ok")
+        expected = solved([[(i == j) + weights[i][j] for j in range(6)] + [-(i + 1)] for i in range(6)])
+        for name, value in zip(names, expected):
+            self.assertAlmostEqual(found["reactions"][name], value, delta=1e-12 * max(map(abs, expected)))
+
     def test_painleves_rod_has_its_critical_friction(self):
         """1 - (its part of friction) vanishes first at mu = 4/3 for a uniform rod: there the floor would have to push without bound."""
         critical = 4 / 3

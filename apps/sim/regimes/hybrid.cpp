@@ -219,8 +219,8 @@ void Hybrid<S>::integrate_by(const std::string& method) {
     before_.why.clear();
   }
   MethodSettings<S> settings = setting_.of_method;
-  // A slip of 1e-12 has few.
-  settings.crosses_lost_digits = method != k_for_stiff;
+  // Of a slip of 1e-12, which is on its way to its end.
+  settings.crosses_lost_digits = slipping_.empty() && method != k_for_stiff;
   const MethodSettings<S> within_steps = settings;
   settings.most_steps -= before_.steps;
   if (settings.most_steps <= 0) return stop(Outcome::too_many_steps, "");

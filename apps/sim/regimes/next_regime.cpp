@@ -156,8 +156,7 @@ std::optional<typename RegimeChoice<S>::Opens> RegimeChoice<S>::find_unpressed()
 
 template <class S>
 bool RegimeChoice<S>::rests(std::size_t friction) const {
-  return here_.halted.count(switches_.frictions[friction].name) > 0 ||
-         !(length_of(standing_.slip(friction)) > here_.slow());
+  return here_.halted.count(switches_.frictions[friction].name) > 0 || !(length_of(slips_[friction]) > here_.slow());
 }
 
 /// What is closed and what sticks leave it no slip: then it sticks like these.
@@ -186,7 +185,7 @@ std::vector<std::string> RegimeChoice<S>::ways_of(std::size_t f, const Modes& mo
     acts = acts || modes.at(switches_.contacts[c].name) == "closed";
   }
   if (is_of_contacts && !acts) return {};
-  if (!rests(f)) return {friction.sliding(friction.slips == 1 && standing_.slip(f)[0] < S(0))};
+  if (!rests(f)) return {friction.sliding(friction.slips == 1 && slips_[f][0] < S(0))};
   std::vector<std::string> ways;
   for (const char* const way : {"sticks", friction.sliding(false), friction.sliding(true)}) {
     const bool is_known = std::find(ways.begin(), ways.end(), way) != ways.end();
@@ -202,6 +201,7 @@ std::optional<NextRegime<S>> RegimeChoice<S>::find_with(const Opens& opens, std:
     const std::string& name = switches_.contacts[c].name;
     modes[name] = opens.count(name) > 0 ? "open" : "closed";
   }
+  slips_ = slips_while_closed(standing_, switches_, modes);
   Ways acting;
   for (std::size_t f = 0; f < switches_.frictions.size(); ++f) {
     std::vector<std::string> ways = ways_of(f, modes);

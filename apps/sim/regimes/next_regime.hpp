@@ -69,6 +69,7 @@ class RegimeChoice {
   const Ended& ended_;
   std::vector<std::size_t> touching_;              ///< contacts that may be closed: they touch, and do not part
   std::optional<std::optional<Opens>> unpressed_;  ///< once it is asked for; in it nothing: the principle has no answer
+  std::vector<std::vector<S>> slips_;              ///< with the contacts closed that are tried
   S free_ = 0;                                     ///< the largest acceleration while nothing holds
   std::size_t tried_ = 0;
   std::string overloaded_, underived_;

@@ -52,6 +52,37 @@ bool find_standing(const Regime<S>& ground, const Switches& switches, const S& t
   return true;
 }
 
+/// Of each friction, once the least change of the speeds has taken away what constraints and closed contacts still have of a rate, such as of a bounce
+/// that is too low to count.
+template <class S>
+std::vector<std::vector<S>> slips_while_closed(const Standing<S>& standing, const Switches& switches,
+                                               const Modes& modes) {
+  const auto& impact = standing.impact;
+  const std::size_t n = impact.speeds;
+  const auto rows = gauss::event::in_metric(impact.metric, impact.rows, n, impact.count());
+  const auto row = [&](std::size_t k) {
+    const auto begin = rows.entries.begin() + static_cast<std::ptrdiff_t>(k * n);
+    return std::vector<S>(begin, begin + static_cast<std::ptrdiff_t>(n));
+  };
+  gauss::event::OrthonormalVectors<S> across(n);
+  std::vector<S> change(n, S(0));
+  for (std::size_t k = 0; k < impact.constraints + impact.contacts(); ++k) {
+    if (k >= impact.constraints && modes.at(switches.contacts[k - impact.constraints].name) != "closed") continue;
+    const std::vector<S> own = across.across(row(k));
+    if (!(gauss::event::length_of(own) > S(1e-9) * gauss::event::length_of(row(k)))) continue;
+    const S left = impact.rates[k] + gauss::event::product_of(row(k), change);
+    for (std::size_t i = 0; i < n; ++i) change[i] -= left / gauss::event::product_of(own, own) * own[i];
+    across.vectors.push_back(gauss::event::in_one_direction(own));
+  }
+  std::vector<std::vector<S>> slips;
+  for (std::size_t f = 0; f < impact.slips.size(); ++f) {
+    slips.push_back(standing.slip(f));
+    for (std::size_t i = 0; i < impact.slips[f]; ++i)
+      slips.back()[i] += gauss::event::product_of(row(impact.first_slip(f) + i), change);
+  }
+  return slips;
+}
+
 /// Rows of constraints, closed contacts and what sticks, of length 1 in the metric of masses.
 template <class S>
 std::vector<std::vector<S>> held_rows(const Standing<S>& standing, const Switches& switches, const Modes& modes) {

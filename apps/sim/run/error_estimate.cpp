@@ -67,6 +67,12 @@ bool begin_alike(const Rows& rows, const Rows& other, std::size_t column, long d
 /// What stays within this, in its unit, is 0 but for rounding, if nothing of that unit is more.
 constexpr long double k_nothing = 1e-12;
 
+/// Likewise, but two runs may have nearly the same noise: what rounding makes of numbers near 1, as others of the model are.
+constexpr long double k_rounded = 4 * static_cast<long double>(std::numeric_limits<double>::epsilon());
+
+/// No quantity is that small, in any unit that people use: what decays by steps that are too long for it is.
+constexpr long double k_nowhere = 1e-60;
+
 /// Then whatever range runs have is an error of theirs: the energy, also as kinetic energy of what has no other.
 bool is_conserved(const std::vector<Column>& columns, const std::vector<Extent>& extents, std::size_t i) {
   if (columns[i].is_conserved) return true;
@@ -99,12 +105,14 @@ Yardstick::Yardstick(Rows rows, const Rows& other, const std::vector<Column>& co
   const long double digits = std::max(static_cast<long double>(rounding), std::numeric_limits<long double>::epsilon());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     // Two runs in double may drift alike, by what rounding makes from step to step: so small a range has to be clearer.
-    constexpr long double k_clear = 10, k_clearer = 100, k_noise = 1e5,
+    constexpr long double k_clear = 10, k_clearer = 100, k_clearest = 1e4, k_noise = 1e5,
                           k_drift = k_noise * std::numeric_limits<double>::epsilon();
     const long double range = extents[i].range, size = std::max(extents[i].size, by_unit[columns[i].unit]);
-    const long double times = range > k_drift * extents[i].size ? k_clear : k_clearer;
-    const bool is_told = range > times * doubt_of(rows_, other, i) || begin_alike(rows_, other, i, range, times);
-    const bool is_clear = is_told && range > k_clear * digits * size;
+    const bool may_be_noise = size <= k_rounded;
+    const long double times = may_be_noise ? k_clearest : range > k_drift * extents[i].size ? k_clear : k_clearer;
+    const bool is_told =
+        range > times * doubt_of(rows_, other, i) || (!may_be_noise && begin_alike(rows_, other, i, range, times));
+    const bool is_clear = is_told && size > k_nowhere && range > k_clear * digits * size;
     // What steps make of it becomes less with them, and rounding is less than what two wrong runs have.
     const bool is_of_steps =
         range <= least * size && (range <= k_noise * digits * size || range < extent_of(other, i).range / 2);

@@ -96,6 +96,29 @@ TEST_CASE("rounding that two runs share is no range") {
   CHECK(Yardstick(rows_of(energy), rows_of(energy), columns, k_tight, 1e-18).constants().empty());
 }
 
+TEST_CASE("what is 0 but for rounding is so even where tighter runs have nearly the same rounding") {
+  const auto slip = [](long double size, int seed) {
+    return [=](long double t) {
+      return std::vector<long double>{size * (noise(t, 1) + 0.01L * noise(t, seed)), 1e-70L * noise(t, seed / 3)};
+    };
+  };
+  const std::vector<Column> columns{column("y", "m"), column("spin", "kg*m^2/s")};
+  for (const long double size : {1e-18L, 1e-45L}) {
+    const Yardstick yardstick(rows_of(slip(size, 1)), rows_of(slip(size, 2)), columns, k_tight, k_rounding);
+    CHECK(yardstick.scale(0) == 1);
+    CHECK(yardstick.error_of(rows_of(slip(0.1L * size, 3))).value < 1e-15);
+  }
+}
+
+TEST_CASE("a motion as small as that keeps its range, as that of the mirrors that gravitational waves move") {
+  const auto motion = [](long double error, int seed) {
+    return [=](long double t) { return std::vector<long double>{1e-18L * std::cos(t) + error * noise(t, seed)}; };
+  };
+  const Yardstick yardstick(rows_of(motion(1e-25L, 1)), rows_of(motion(1e-25L, 2)), {column("x", "m")}, k_tight,
+                            k_rounding);
+  CHECK(yardstick.error_of(rows_of(motion(1e-20L, 3))).value == Approx(5e-3).epsilon(0.1));
+}
+
 TEST_CASE("a coordinate at rest is relative to what has its unit, and where nothing moves errors are in the unit") {
   const auto motion = [](long double rest, int seed) {
     return [=](long double t) {
