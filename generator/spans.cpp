@@ -12,12 +12,13 @@ namespace {
 
 using Vector = std::vector<double>;
 
-constexpr double k_changed = 0.5;   ///< of a gradient
-constexpr double k_factor = 4;      ///< from one span that is tried to the next
-constexpr double k_least = 1e-8;    ///< of a coordinate: half of its digits
-constexpr double k_solved = 1e-10;  ///< of what an equation is made of
-constexpr double k_turned = 10;     ///< times the root of what is left, as in gauss/rank_rule.hpp
-constexpr double k_far = 1e12;      ///< where nothing has changed there, nothing does
+constexpr double k_changed = 0.5;     ///< of a gradient
+constexpr double k_factor = 4;        ///< from one span that is tried to the next
+constexpr double k_least = 1e-8;      ///< of a coordinate: half of its digits
+constexpr double k_solved = 1e-10;    ///< of what an equation is made of
+constexpr double k_turned = 10;       ///< times the root of what is left, as in gauss/rank_rule.hpp
+constexpr double k_rounding = 1e-28;  ///< of the square of a gradient
+constexpr double k_far = 1e12;        ///< where nothing has changed there, nothing does
 
 class Spans {
  public:
@@ -75,6 +76,12 @@ class Spans {
 
   double weight(std::size_t k) const { return inertias_[k] > 0 ? 1 / inertias_[k] : 1; }
 
+  double square_of(const Vector& row) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < all_.size(); ++k) sum += weight(k) * row[k] * row[k];
+    return sum;
+  }
+
   double square_of_change(std::size_t mu, const Linearised& there) const {
     double sum = 0;
     for (std::size_t k = 0; k < all_.size(); ++k) sum += weight(k) * std::pow(there.j[mu][k] - here_->j[mu][k], 2);
@@ -84,7 +91,8 @@ class Spans {
   double asked_for(std::size_t i, const Vector& spans) const {
     double largest = 0;
     for (const Vector& row : here_->j) {
-      if (row[i] == 0) continue;
+      // Where something stands at 0 but for rounding, so does the sine of it.
+      if (weight(i) * row[i] * row[i] <= k_rounding * square_of(row)) continue;
       for (std::size_t k = 0; k < spans.size(); ++k)
         largest = std::max(largest, std::abs(row[k]) * spans[k] / std::abs(row[i]));
     }
@@ -114,8 +122,7 @@ class Spans {
     if (!there) return std::numeric_limits<double>::infinity();
     double largest = 0;
     for (std::size_t mu = 0; mu < here_->j.size(); ++mu) {
-      double before = 0;
-      for (std::size_t k = 0; k < all_.size(); ++k) before += weight(k) * std::pow(here_->j[mu][k], 2);
+      const double before = square_of(here_->j[mu]);
       if (before > rounding_[mu]) largest = std::max(largest, std::sqrt(square_of_change(mu, *there) / before));
     }
     return largest;

@@ -43,6 +43,13 @@ void GuardedStep<S>::end_at(const S& t, const Array& x) {
 }
 
 template <class S>
+std::string GuardedStep<S>::undefined() const {
+  for (const Watched& one : watched_)
+    if (!(to_.values[one.guard] == to_.values[one.guard])) return regime_.guards()[one.guard].name;
+  return "";
+}
+
+template <class S>
 std::optional<typename GuardedStep<S>::Fired> GuardedStep<S>::first(const S& slow) const {
   std::vector<std::pair<S, std::size_t>> found;
   for (const Watched& one : watched_) {

@@ -29,6 +29,9 @@ class GuardedStep {
   /// The next step, from the end of the last one on.
   void end_at(const S& t, const Array& x);
 
+  /// A guard that has no value at its end; empty: all have.
+  std::string undefined() const;
+
   /// `slow`: a speed that counts as none.
   std::optional<Fired> first(const S& slow) const;
 

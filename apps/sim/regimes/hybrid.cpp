@@ -31,7 +31,7 @@ constexpr int k_looks = 8;  ///< steps, from one look at that to the next
 
 template <class S>
 Hybrid<S>::Hybrid(std::shared_ptr<RegimeSource> source, Array start, const S& t, Setting setting)
-    : pool_(std::move(source), setting.change), setting_(std::move(setting)) {
+    : pool_(std::move(source), setting.change, setting.of_method.ends), setting_(std::move(setting)) {
   here_.t = here_.start = here_.last_event = t;
   here_.x = std::move(start);
 }
@@ -171,7 +171,10 @@ bool Hybrid<S>::settle(const Bans& banned, const Bans& ended_here) {
     if (overloaded.empty()) break;
     here_.broken.insert(overloaded);
   }
-  stop(Outcome::no_regime, fmt::format("contacts and friction leave no motion from here on ({})", why));
+  if (pool_.has_ended())
+    stop(Outcome::interrupted, "");
+  else
+    stop(Outcome::no_regime, fmt::format("contacts and friction leave no motion from here on ({})", why));
   return false;
 }
 
@@ -205,6 +208,7 @@ void Hybrid<S>::find_rounding() {
   const S acceleration = largest_of(rates.data() + here_.coordinates, rates.size() - here_.coordinates);
   // Where nothing has moved yet, speeds that count are those after a way as long as places are far.
   const S fall = gauss::Math<S>::sqrt(acceleration * largest_of(here_.x.data(), here_.coordinates));
+  here_.rounded_speed = least * gauss::Math<S>::sqrt(acceleration * size_of_places(here_.x, here_.coordinates));
   const S speed = here_.fastest > S(0) ? here_.fastest : fall > S(0) ? fall : acceleration;
   for (std::size_t i = 0; i < here_.x.size(); ++i)
     here_.rounding[i] = least * (i < here_.coordinates ? speed : acceleration);
@@ -292,12 +296,13 @@ void Hybrid<S>::step(const S& end) {
   }
   here_.note_sizes(inner_->state());
   last_step_->end_at(inner_->time(), inner_->state());
+  if (const std::string undefined = last_step_->undefined(); !undefined.empty())
+    return stop(Outcome::model_failed, fmt::format("'{}' has no value", undefined));
   if (const auto fired = last_step_->first(here_.slow())) {
     const std::optional<Array> x = last_step_->state_at(fired->t);
     if (x) return happen(fired->t, *x, fired->guards);
-    const bool is_interrupted = setting_.of_method.ends != nullptr && setting_.of_method.ends();
-    return is_interrupted ? stop(Outcome::interrupted, "")
-                          : stop(Outcome::step_too_small, "the instant of an event cannot be found");
+    return pool_.has_ended() ? stop(Outcome::interrupted, "")
+                             : stop(Outcome::step_too_small, "the instant of an event cannot be found");
   }
   const S length = inner_->time() - here_.t;
   here_.t = inner_->time();

@@ -18,13 +18,14 @@ struct Instant {
   std::size_t coordinates = 0;   ///< of the state, which stand before its speeds
   Numbers<S> sizes;              ///< largest of each component so far
   S fastest = 0;                 ///< speed so far
+  S rounded_speed = 0;           ///< of what falls from as far as places are, the part that has no digits
   Numbers<S> rounding;           ///< of rates, where forces cancel that accelerate a body while nothing holds it
   std::set<std::string> closed;  ///< contacts, beside those that open at this instant
   std::set<std::string> halted;  ///< frictions whose slip has come to its end here, whatever rounding has left of it
   std::set<std::string> broken;
 
-  /// What counts as standing still: speeds beside the largest one so far.
-  S slow() const { return S(1e-10) * fastest; }
+  /// What counts as standing still: speeds beside the largest one so far, and what rounding leaves.
+  S slow() const { return std::max(S(S(1e-10) * fastest), rounded_speed); }
   void note_sizes(const Numbers<S>& state) {
     sizes.resize(state.size(), S(0));
     for (std::size_t i = 0; i < state.size(); ++i) sizes[i] = std::max(sizes[i], gauss::event::magnitude_of(state[i]));

@@ -84,21 +84,21 @@ bool RegimeChoice<S>::is_allowed(const Opens& opens) const {
   });
 }
 
-/// First all closed, then what Gauss's principle with inequalities says, then all ways, where there are not too many. Where no friction changes what the principle says, that comes first; where some
-/// does, one contact after the other that has no reaction without it may have one.
+/// First all closed, then what Gauss's principle with inequalities says, then all ways, where there are not too many. Where no friction changes what the principle says, that comes first, with all closed
+/// that do not part; where some does, one contact after the other that has no reaction without it may have one.
 template <class S>
 std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contacts() {
   std::vector<Opens> all(1);
   if (touching_.size() > 1 && unpressed()) {
     if (switches_.frictions.empty()) {
-      all.insert(all.begin(), *unpressed());
+      all = {unpressed()->parting, unpressed()->all, {}};
     } else {
       const Opens banned = banned_contacts();
       std::vector<std::string> others;
-      std::set_difference(unpressed()->begin(), unpressed()->end(), banned.begin(), banned.end(),
+      std::set_difference(unpressed()->all.begin(), unpressed()->all.end(), banned.begin(), banned.end(),
                           std::back_inserter(others));
       if (others.size() <= k_most_unpressed) all = few_first(others, banned);
-      all.push_back(*unpressed());
+      all.push_back(unpressed()->all);
     }
   }
   if (touching_.size() > k_most_touching) return all;
@@ -112,18 +112,17 @@ std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contact
 template <class S>
 void RegimeChoice<S>::tell_unloaded(Regime<S>& regime) {
   if (!regime.shared_loads().are_possible()) return;
-  regime.shared_loads().know_unloaded(unpressed().value_or(Opens{}));
+  regime.shared_loads().know_unloaded(unpressed() ? unpressed()->all : Opens{});
 }
 
 template <class S>
-const std::optional<typename RegimeChoice<S>::Opens>& RegimeChoice<S>::unpressed() {
+const std::optional<typename RegimeChoice<S>::Unpressed>& RegimeChoice<S>::unpressed() {
   if (!unpressed_) unpressed_ = find_unpressed();
   return *unpressed_;
 }
 
-/// By Gauss's principle, without friction.
 template <class S>
-std::optional<typename RegimeChoice<S>::Opens> RegimeChoice<S>::find_unpressed() const {
+std::optional<typename RegimeChoice<S>::Unpressed> RegimeChoice<S>::find_unpressed() const {
   const S dt = here_.a_while(S(1e-7), S(1e-3));
   Standing<S> then;
   const Numbers<S> later = moved(here_.x, ground_.rates(here_.t, here_.x), dt);
@@ -140,17 +139,22 @@ std::optional<typename RegimeChoice<S>::Opens> RegimeChoice<S>::find_unpressed()
   };
   for (std::size_t k = 0; k < impact.constraints; ++k) add(k, S(0));
   std::vector<std::size_t> taking_part;
-  Opens result = banned_contacts();
+  const Opens banned = banned_contacts();
   for (const std::size_t c : touching_) {
-    if (result.count(switches_.contacts[c].name) > 0) continue;
+    if (banned.count(switches_.contacts[c].name) > 0) continue;
     taking_part.push_back(c);
     add(impact.constraints + c, (standing_.gap_rate(c) - then.gap_rate(c)) / dt);
   }
   const auto found = gauss::event::LeastConstraint<S>(problem).solve();
   if (!found.is_found) return std::nullopt;
   // Those with reactions are independent of each other. Of more than a body needs, others stay where they are by these.
-  for (std::size_t k = 0; k < taking_part.size(); ++k)
-    if (!(found.reactions[impact.constraints + k] > S(0))) result.insert(switches_.contacts[taking_part[k]].name);
+  Unpressed result{banned, banned};
+  for (std::size_t k = 0; k < taking_part.size(); ++k) {
+    if (found.reactions[impact.constraints + k] > S(0)) continue;
+    const std::string& name = switches_.contacts[taking_part[k]].name;
+    result.all.insert(name);
+    if (found.rates[impact.constraints + k] > S(1e-6) * free_) result.parting.insert(name);
+  }
   return result;
 }
 
@@ -218,10 +222,25 @@ std::optional<NextRegime<S>> RegimeChoice<S>::find_with(const Opens& opens, std:
   return std::nullopt;
 }
 
+/// Frictions that slide in two directions, and had no slip so far.
+template <class S>
+std::vector<std::size_t> RegimeChoice<S>::beginning_slips(const Modes& modes) const {
+  std::vector<std::size_t> result;
+  for (std::size_t f = 0; f < switches_.frictions.size(); ++f)
+    if (switches_.frictions[f].slips > 1 && modes.at(switches_.frictions[f].name) == "slides" && rests(f))
+      result.push_back(f);
+  return result;
+}
+
 /// If it goes on from here for some time.
 template <class S>
 std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, const Opens& opens, std::string& why) {
   if (modes == ended_.regime) return why = "this has just come to its end", std::nullopt;
+  const std::vector<std::size_t> beginning = beginning_slips(modes);
+  for (const std::size_t f : beginning) {
+    const std::string& name = switches_.frictions[f].name;
+    if (is_held(name, modes)) return why = fmt::format("'{}' cannot slide", name), std::nullopt;
+  }
   NextRegime<S> next{modes, pool_.at(modes, why), here_.x};
   if (next.regime == nullptr) {
     if (underived_.empty()) underived_ = why;
@@ -230,12 +249,8 @@ std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, con
   if (!next.regime->project(here_.t, next.x))
     return why = "no state is near that satisfies its constraints", std::nullopt;
   tell_unloaded(*next.regime);
-  std::vector<std::size_t> beginning;
-  for (std::size_t f = 0; f < switches_.frictions.size(); ++f)
-    if (switches_.frictions[f].slips > 1 && modes.at(switches_.frictions[f].name) == "slides" && rests(f))
-      beginning.push_back(f);
   if (!beginning.empty()) {
-    SlipStart<S> start(*next.regime, switches_, modes, standing_, std::move(beginning), here_, next.x);
+    SlipStart<S> start(*next.regime, switches_, modes, standing_, beginning, here_, next.x);
     const auto x = start.state(why);
     if (!x) return std::nullopt;
     next.x = *x;

@@ -48,8 +48,12 @@ class RegimeChoice {
   using Opens = std::set<std::string>;
 
   std::vector<Opens> choices_of_contacts();
-  const std::optional<Opens>& unpressed();
-  std::optional<Opens> find_unpressed() const;
+  /// Contacts that may be open by Gauss's principle without friction: all without a reaction, and of these the ones that part.
+  struct Unpressed {
+    Opens all, parting;
+  };
+  const std::optional<Unpressed>& unpressed();
+  std::optional<Unpressed> find_unpressed() const;
   void tell_unloaded(Regime<S>& regime);
   Opens banned_contacts() const;
   bool is_allowed(const Opens& opens) const;
@@ -57,6 +61,7 @@ class RegimeChoice {
   bool rests(std::size_t friction) const;
   bool is_held(const std::string& friction, const Modes& modes) const;
   std::vector<std::string> ways_of(std::size_t friction, const Modes& modes) const;
+  std::vector<std::size_t> beginning_slips(const Modes& modes) const;
   std::optional<NextRegime<S>> find_with(const Opens& opens, std::string& why);
   std::optional<NextRegime<S>> consistent(const Modes& modes, const Opens& opens, std::string& why);
   bool holds(const NextRegime<S>& next, const Opens& opens, std::string& why);
@@ -67,10 +72,11 @@ class RegimeChoice {
   const Standing<S>& standing_;
   const Instant<S>& here_;
   const Ended& ended_;
-  std::vector<std::size_t> touching_;              ///< contacts that may be closed: they touch, and do not part
-  std::optional<std::optional<Opens>> unpressed_;  ///< once it is asked for; in it nothing: the principle has no answer
-  std::vector<std::vector<S>> slips_;              ///< with the contacts closed that are tried
-  S free_ = 0;                                     ///< the largest acceleration while nothing holds
+  std::vector<std::size_t> touching_;  ///< contacts that may be closed: they touch, and do not part
+  std::optional<std::optional<Unpressed>>
+      unpressed_;                      ///< once it is asked for; in it nothing: the principle has no answer
+  std::vector<std::vector<S>> slips_;  ///< with the contacts closed that are tried
+  S free_ = 0;                         ///< the largest acceleration while nothing holds
   std::size_t tried_ = 0;
   std::string overloaded_, underived_;
   S overload_ = 0;

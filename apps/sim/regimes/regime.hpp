@@ -28,10 +28,16 @@ Numbers<S> moved(const Numbers<S>& x, const Numbers<S>& rates, const S& dt) {
   return result;
 }
 
+/// Coordinates at their zero have none.
+template <class S>
+S size_of_places(const Numbers<S>& x, std::size_t coordinates) {
+  return std::max(S(1e-3), largest_of(x.data(), coordinates));
+}
+
 /// What touches, as far as coordinates have digits.
 template <class S>
 S gap_that_is_none(const Numbers<S>& x, std::size_t coordinates) {
-  return S(1e-9) * std::max(S(1e-3), largest_of(x.data(), coordinates));
+  return S(1e-9) * size_of_places(x, coordinates);
 }
 
 template <class S>

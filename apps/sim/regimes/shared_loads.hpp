@@ -2,6 +2,7 @@
 // Guards of reactions that are not unique: what they are of the share of the load that leaves the most to all (docs/regimes.md).
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -57,22 +58,32 @@ class SharedLoads {
                                 unloaded_.count(guard.of) > 0});
     }
     gauss::event::LoadShares<S> shares(problem);
-    const std::vector<std::optional<S>> margins = shares.margins();
+    // Contacts alone move a body alike by any share: they have the least one, which is reported.
+    const bool has_limits = std::any_of(problem.judged.begin(), problem.judged.end(),
+                                        [](const auto& one) { return one.has_limit || one.is_brittle; });
+    const std::vector<std::optional<S>> margins = has_limits ? shares.margins() : std::vector<std::optional<S>>(k);
     for (std::size_t i = 0; i < k; ++i) {
-      // Of a share that stands, as that which sliding friction has, a reaction that is none is that but for rounding.
-      if (margins[i])
-        values[places[i]] = *margins[i];
-      else if (shares.is_shared(i) && !problem.judged[i].has_limit)
-        values[places[i]] += rounding_of(problem);
+      S& value = values[places[i]];
+      if (margins[i]) {
+        value = *margins[i];
+      } else if (!problem.judged[i].has_limit) {
+        const S largest = largest_of_contacts(problem);
+        const S left = gauss::event::magnitude_of(value - problem.reactions[guards_[places[i]].rows.front()]);
+        // Forces contain the reactions of constraints that were chosen when code was generated: here these say less than they did. (The direction of a
+        // slip that begins has few digits.)
+        if (left > S(1e-2) * largest) value = S(std::numeric_limits<double>::quiet_NaN());
+        // Of a share that stands, as that which sliding friction has, a reaction that is none is that but for rounding.
+        if (shares.is_shared(i)) value += S(1e-9) * largest;
+      }
     }
   }
 
  private:
-  static S rounding_of(const gauss::event::LoadProblem<S>& problem) {
+  static S largest_of_contacts(const gauss::event::LoadProblem<S>& problem) {
     S largest = 0;
     for (const auto& one : problem.judged)
       if (!one.has_limit) largest = std::max(largest, gauss::event::magnitude_of(problem.reactions[one.rows.front()]));
-    return S(1e-9) * largest;
+    return largest;
   }
 
   Callable<S> load_system_;

@@ -26,6 +26,12 @@ constexpr int k_sweeps = 40;      ///< over slips that are not of one body
 constexpr double k_turn = 6.283185307179586476925286766559;
 constexpr double k_none = 1e-9;  ///< part of a row that is none of its own
 
+/// Of speeds: a slip whose direction has half of the digits, and that changes accelerations by the other half.
+template <class S>
+S half_of_digits() {
+  return gauss::Math<S>::sqrt(gauss::Math<S>::epsilon());
+}
+
 }  // namespace
 
 template <class S>
@@ -221,7 +227,7 @@ std::optional<typename SlipStart<S>::Direction> SlipStart<S>::in_space(Block& bl
   if (length_of(free) > S(1e-9) * size) way = in_one_direction(free);
   Direction turn = turning(block, way);
   for (int round = 0; round < k_rounds; ++round) {
-    if (length_of(turn) <= S(1e-9) * size) return way;
+    if (length_of(turn) <= 8 * half_of_digits<S>() * size) return way;
     S stiffness = 0;
     if (const auto next = nearer(block, way, turn, stiffness)) {
       way = *next;
@@ -266,12 +272,16 @@ std::optional<Numbers<S>> SlipStart<S>::state(std::string& why) {
   for (const Block& block : blocks_)
     if (block.moves.empty()) return why = fmt::format("{} cannot slide", block.frictions), std::nullopt;
   // A first speed to find accelerations with, where nothing has moved yet.
-  speed_ = here_.fastest > S(0) ? here_.fastest : S(1);
-  const S part = std::max(S(1e-12), S(64 * gauss::Math<S>::epsilon()));
-  speed_ *= part;
+  speed_ = half_of_digits<S>() * (here_.fastest > S(0) ? here_.fastest : S(1));
   S size = 0;
-  for (Block& block : blocks_) size = std::max(size, length_of(acceleration(block, block.way)));
-  speed_ = part * std::max(here_.fastest, size);
+  // One way friction and forces may just cancel each other.
+  for (Block& block : blocks_) {
+    Direction back = block.way;
+    for (S& one : back) one = -one;
+    size = std::max({size, length_of(acceleration(block, block.way)), length_of(acceleration(block, back))});
+  }
+  const S speed = std::max(here_.fastest, size);
+  speed_ = half_of_digits<S>() * speed;
   for (int round = 0; round < k_sweeps; ++round) {
     S change = 0;
     for (Block& block : blocks_) {
@@ -286,6 +296,7 @@ std::optional<Numbers<S>> SlipStart<S>::state(std::string& why) {
   for (Block& block : blocks_)
     if (!(product_of(block.way, acceleration(block, block.way)) >= -S(1e-6) * size))
       return why = fmt::format("{} would turn back", block.frictions), std::nullopt;
+  speed_ = std::max(S(1e-12), S(64 * gauss::Math<S>::epsilon())) * speed;
   return sliding();
 }
 

@@ -73,6 +73,9 @@ constexpr long double k_rounded = 4 * static_cast<long double>(std::numeric_limi
 /// No quantity is that small, in any unit that people use: what decays by steps that are too long for it is.
 constexpr long double k_nowhere = 1e-60;
 
+/// A radian, or 1.
+bool has_natural_size(const std::string& unit) { return unit == "rad" || unit == "1"; }
+
 /// Then whatever range runs have is an error of theirs: the energy, also as kinetic energy of what has no other.
 bool is_conserved(const std::vector<Column>& columns, const std::vector<Extent>& extents, std::size_t i) {
   if (columns[i].is_conserved) return true;
@@ -112,7 +115,8 @@ Yardstick::Yardstick(Rows rows, const Rows& other, const std::vector<Column>& co
     const long double times = may_be_noise ? k_clearest : range > k_drift * extents[i].size ? k_clear : k_clearer;
     const bool is_told =
         range > times * doubt_of(rows_, other, i) || (!may_be_noise && begin_alike(rows_, other, i, range, times));
-    const bool is_clear = is_told && size > k_nowhere && range > k_clear * digits * size;
+    const bool is_something = size > (has_natural_size(columns[i].unit) ? k_rounded : k_nowhere);
+    const bool is_clear = is_told && is_something && range > k_clear * digits * size;
     // What steps make of it becomes less with them, and rounding is less than what two wrong runs have.
     const bool is_of_steps =
         range <= least * size && (range <= k_noise * digits * size || range < extent_of(other, i).range / 2);
