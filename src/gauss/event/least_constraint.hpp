@@ -145,8 +145,19 @@ class LeastConstraint {
     reactions_[row] += step;
   }
 
-  /// From the rows that are active in the end, to rounding.
+  /// From the rows that are active in the end, to rounding. Where these nearly depend on each other, what they came to step by step is better.
   ContactAccelerations<S> finish() {
+    const std::vector<S> by_steps = reactions_;
+    if (find_at_once()) return result_of();
+    reactions_ = by_steps;
+    ContactAccelerations<S> result = result_of();
+    for (std::size_t k = problem_.equations; k < problem_.count(); ++k)
+      if (reactions_[k] < S(0) || rate(k) < -S(1e4) * least(k)) result.is_found = false;
+    return result;
+  }
+
+  /// False: reactions of active rows would pull, or others are violated.
+  bool find_at_once() {
     std::vector<S> right;
     for (const std::size_t k : active_) right.push_back(problem_.right[k]);
     const std::vector<S> found = solve_dense(active_couplings(), std::move(right));
@@ -156,11 +167,9 @@ class LeastConstraint {
       reactions_[active_[i]] = found[i];
       size = std::max(size, magnitude_of(found[i]));
     }
-    ContactAccelerations<S> result = result_of();
     for (std::size_t i = 0; i < active_.size(); ++i)
-      if (active_[i] >= problem_.equations && found[i] < -dependent() * size) result.is_found = false;
-    if (most_violated() != problem_.count()) result.is_found = false;
-    return result;
+      if (active_[i] >= problem_.equations && found[i] < -dependent() * size) return false;
+    return most_violated() == problem_.count();
   }
 
   ContactAccelerations<S> result_of() const {

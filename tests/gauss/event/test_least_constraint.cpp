@@ -141,6 +141,45 @@ TEST_CASE("a table on four legs stands on them, though three would do", "[event]
   CHECK(std::abs(sum - 1) < 1e-14);
 }
 
+// As planes are that touch a cone beside each other. One more direction satisfies all: so there is an answer.
+TEST_CASE("rows that are nearly parallel are no trouble", "[event]") {
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const std::size_t n = 2 + static_cast<std::size_t>(trial % 7), faces = 3 + static_cast<std::size_t>(trial % 5);
+    const double tilt = std::pow(10.0, -2 - trial % 8);
+    ContactProblem<double> problem;
+    problem.speeds = n + 1;
+    problem.metric.assign((n + 1) * (n + 1), 0);
+    for (std::size_t i = 0; i <= n; ++i) problem.metric[i * (n + 1) + i] = i < n ? 0.01 : 1;
+    for (std::size_t f = 0; f < faces; ++f) {
+      std::vector<double> face(n);
+      for (double& one : face) one = any(engine);
+      const double right = 10 * any(engine);
+      for (int copy = 0; copy < 3; ++copy) {
+        for (const double one : face) problem.rows.push_back(one + tilt * any(engine));
+        problem.rows.push_back(1);
+        problem.right.push_back(right + tilt * any(engine));
+      }
+    }
+    const ContactAccelerations<double> found = LeastConstraint<double>(problem).solve();
+    CAPTURE(trial, tilt);
+    REQUIRE(found.is_found);
+    double size = 1;
+    for (const double one : found.change) size = std::max(size, std::abs(one));
+    std::vector<double> left(n + 1);
+    for (std::size_t i = 0; i <= n; ++i) left[i] = problem.metric[i * (n + 1) + i] * found.change[i];
+    for (std::size_t k = 0; k < problem.count(); ++k) {
+      const double above = row_times(problem, k, found.change) - problem.right[k];
+      CHECK(above > -1e-9 * size);
+      CHECK(found.reactions[k] >= 0);
+      CHECK(std::abs(found.reactions[k] * above) < 1e-8 * size * size);
+      for (std::size_t i = 0; i <= n; ++i) left[i] -= problem.rows[k * (n + 1) + i] * found.reactions[k];
+    }
+    for (const double one : left) CHECK(std::abs(one) < 1e-9 * size);
+  }
+}
+
 TEST_CASE("two contacts that squeeze have no accelerations, and it says so", "[event]") {
   ContactProblem<double> problem;
   problem.speeds = 1;

@@ -208,6 +208,50 @@ TEST_CASE("Two feet hold as much as both of them bear together", "[load_shares]"
   }
 }
 
+// A ladder on two feet against a wall, that is pulled along the wall: nearly all is symmetric.
+TEST_CASE("What a ladder has left changes by as much as its load does", "[load_shares]") {
+  const auto left = [](double pull) {
+    constexpr double width = 0.1, weight = 9.81, friction = 0.5;
+    const double feet[4][3] = {{0.15, width, -0.2}, {0.15, -width, -0.2}, {-0.15, width, 0.2}, {-0.15, -width, 0.2}};
+    Numbers rows;
+    const auto add_row = [&](const double(&at)[3], int axis) {
+      Numbers way(3, 0);
+      way[static_cast<std::size_t>(axis)] = 1;
+      for (const double one : way) rows.push_back(one);
+      for (std::size_t i = 0; i < 3; ++i)
+        rows.push_back(at[(i + 1) % 3] * way[(i + 2) % 3] - at[(i + 2) % 3] * way[(i + 1) % 3]);
+    };
+    for (int foot = 0; foot < 4; ++foot) add_row(feet[foot], foot < 2 ? 2 : 0);
+    for (int foot = 0; foot < 4; ++foot) {
+      add_row(feet[foot], foot < 2 ? 0 : 1);
+      add_row(feet[foot], foot < 2 ? 1 : 2);
+    }
+    // Reactions bear the weight, and the pull at the feet, with some share.
+    const Numbers load{0, -pull, weight, -0.2 * pull, 0, -0.15 * pull};
+    DenseMatrix<double> normal(6, 6);
+    for (std::size_t k = 0; k < 12; ++k)
+      for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) normal(i, j) += rows[k * 6 + i] * rows[k * 6 + j];
+    const Numbers parts = solve_dense(normal, load);
+    Numbers reactions(12, 0);
+    for (std::size_t k = 0; k < 12; ++k)
+      for (std::size_t i = 0; i < 6; ++i) reactions[k] += rows[k * 6 + i] * parts[i];
+    LoadProblem<double> problem = problem_of(6, rows, reactions);
+    for (std::size_t i = 3; i < 6; ++i) problem.metric[i * 6 + i] = 0.02;
+    for (std::size_t foot = 0; foot < 4; ++foot) add_contact(problem, foot);
+    for (std::size_t foot = 0; foot < 4; ++foot)
+      add_limited(problem, {4 + 2 * foot, 5 + 2 * foot}, 0, {{foot, friction}});
+    return least_of(problem, LoadShares<double>(problem).margins());
+  };
+  const double alone = left(0);
+  CHECK(alone > 0.1);
+  for (int k = 0; k <= 200; ++k) {
+    const double pull = std::pow(10.0, -6 + k * 0.03);
+    CAPTURE(pull);
+    if (pull < 0.5) CHECK(std::abs(left(pull) - alone) < 10 * pull);
+  }
+}
+
 TEST_CASE("Links that break have the parts of equal stiffness, in any order", "[load_shares]") {
   LoadProblem<double> problem = problem_of(1, {1, 1}, {0, 3});
   add_limited(problem, {0}, 1).is_brittle = true;
