@@ -171,6 +171,25 @@ contacts:
 forces: {gravity: {uniform: [0, 0, -g]}}
 """
 
+BLOCK_ON_BOX = """gauss: 1
+name: block_on_box
+parameters: {m: 2, M: 6, A: 0.4, H: 0.1, g: 9.81, mu: 0.35, nu: 0.25, k: 10}
+coordinates: {x: {}, z: {initial: 2*H}, X: {}, Z: {initial: H}, P: {}}
+bodies: {low: {mass: M, inertia: [0, M*(A^2+H^2)/3, 0], position: [X, 0, Z], orientation: {axis: y, angle: P}}}
+particles: {top: {mass: m, position: [x, 0, z]}}
+points: {l1: {on: low, at: [A, 0, -H]}, l2: {on: low, at: [-A, 0, -H]}}
+contacts:
+  ct: {gap: (x - X)*sin(P) + (z - Z)*cos(P) - H}
+  cl1: {gap: l1.z}
+  cl2: {gap: l2.z}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  pull: {force: [k*t, 0, 0], on: low}
+  ft: {friction: (dot(x) - dot(X))*cos(P) - (dot(z) - dot(Z))*sin(P), limit: mu*ct.reaction}
+  fl1: {slides: low, at: l1, directions: [x], limit: nu*cl1.reaction}
+  fl2: {slides: low, at: l2, directions: [x], limit: nu*cl2.reaction}
+"""
+
 DOOR = """gauss: 1
 name: door
 parameters: {m: 1, g: 9.81, mu: 0.4}
@@ -325,6 +344,23 @@ class Loads(Regimes):
         self.assertEqual(len(events), 4)
         for t, words, _ in events:
             self.assertAlmostEqual(t, (4 * 150 - 40 * G) / 40, delta=1e-12, msg=words)
+
+    def test_a_crate_on_smooth_feet_stands_on_all_of_them(self):
+        """Three would do, and two that it balances on without a disturbance."""
+        standing = DROP.replace("h + 0.3", "h").replace("initial_rate: 1", "initial_rate: 0")
+        table, events = self.go(standing, "--duration", "3", "--samples", "7", "--outputs", "state,reactions")
+        self.assertEqual([words for _, words, _ in events], [f"c{i} closed" for i in (1, 2, 3, 4)])
+        for i in (1, 2, 3, 4):
+            self.assertAlmostEqual(table[f"reactions.c{i}.multiplier"][-1], 3 * G / 4, delta=1e-12)
+        for name in ("z_dot", "wx", "wy", "wz", "e1", "e2", "e3"):
+            self.assertEqual(set(table[name]), {0})
+
+    def test_a_block_on_a_box_that_is_pulled(self):
+        """Its height is multiplied by the sine of an angle that is 0."""
+        table, events = self.go(BLOCK_ON_BOX, "--duration", "5.5", "--samples", "2")
+        together, apart = 0.25 * 8 * G / 10, (8 * 0.35 + 8 * 0.25) * G / 10
+        self.assertAlmostEqual(self.instants(events, "fl1 forwards")[0], together, delta=1e-12)
+        self.assertAlmostEqual(self.instants(events, "ft backwards")[0], apart, delta=1e-12)
 
     def test_feet_that_fall_flat_touch_at_once(self):
         """Bounces of all four together: rest after 3 sqrt(2 H/g), for e = 0.5."""
