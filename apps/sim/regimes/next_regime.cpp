@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "gauss/event/least_constraint.hpp"
 #include "gauss/scalar/float128.hpp"
 #include "sim/drive/quad.hpp"
 #include "sim/regimes/slip_start.hpp"
@@ -108,54 +107,42 @@ std::vector<typename RegimeChoice<S>::Opens> RegimeChoice<S>::choices_of_contact
   return all;
 }
 
-/// Friction is left to contacts that are pressed without it.
+/// Friction is left to contacts that are pressed without it, now and later. (Ground, switches and the instant last as long as regimes do.)
 template <class S>
-void RegimeChoice<S>::tell_unloaded(Regime<S>& regime) {
-  if (!regime.shared_loads().are_possible()) return;
-  regime.shared_loads().know_unloaded(unpressed() ? unpressed()->all : Opens{});
+void RegimeChoice<S>::tell_unloaded(const NextRegime<S>& next) const {
+  if (!next.regime->shared_loads().are_possible()) return;
+  std::vector<std::size_t> closed;
+  for (const std::size_t c : touching_)
+    if (next.modes.at(switches_.contacts[c].name) == "closed") closed.push_back(c);
+  next.regime->shared_loads().ask_unloaded(
+      [&ground = ground_, &switches = switches_, &here = here_, closed](const S& t, const Numbers<S>& x) {
+        Standing<S> standing;
+        if (!find_standing(ground, switches, t, x, standing)) return Opens{};
+        const S dt = S(1e-7) * std::max(S(t - here.last_event), S(1e-3));
+        const auto found = unpressed_contacts(ground, switches, standing, closed, t, x, dt, S(0));
+        return found ? found->all : Opens{};
+      });
 }
 
 template <class S>
-const std::optional<typename RegimeChoice<S>::Unpressed>& RegimeChoice<S>::unpressed() {
+const std::optional<Unpressed>& RegimeChoice<S>::unpressed() {
   if (!unpressed_) unpressed_ = find_unpressed();
   return *unpressed_;
 }
 
 template <class S>
-std::optional<typename RegimeChoice<S>::Unpressed> RegimeChoice<S>::find_unpressed() const {
-  const S dt = here_.a_while(S(1e-7), S(1e-3));
-  Standing<S> then;
-  const Numbers<S> later = moved(here_.x, ground_.rates(here_.t, here_.x), dt);
-  if (!find_standing(ground_, switches_, S(here_.t + dt), later, then)) return std::nullopt;
-  const auto& impact = standing_.impact;
-  gauss::event::ContactProblem<S> problem;
-  problem.speeds = impact.speeds;
-  problem.equations = impact.constraints;
-  problem.metric = impact.metric;
-  const auto add = [&](std::size_t row, const S& right) {
-    const auto begin = impact.rows.begin() + static_cast<std::ptrdiff_t>(row * impact.speeds);
-    problem.rows.insert(problem.rows.end(), begin, begin + static_cast<std::ptrdiff_t>(impact.speeds));
-    problem.right.push_back(right);
-  };
-  for (std::size_t k = 0; k < impact.constraints; ++k) add(k, S(0));
-  std::vector<std::size_t> taking_part;
+std::optional<Unpressed> RegimeChoice<S>::find_unpressed() const {
   const Opens banned = banned_contacts();
-  for (const std::size_t c : touching_) {
-    if (banned.count(switches_.contacts[c].name) > 0) continue;
-    taking_part.push_back(c);
-    add(impact.constraints + c, (standing_.gap_rate(c) - then.gap_rate(c)) / dt);
+  std::vector<std::size_t> taking_part;
+  for (const std::size_t c : touching_)
+    if (banned.count(switches_.contacts[c].name) == 0) taking_part.push_back(c);
+  const S dt = here_.a_while(S(1e-7), S(1e-3));
+  auto found = unpressed_contacts(ground_, switches_, standing_, taking_part, here_.t, here_.x, dt, free_);
+  if (found) {
+    found->all.insert(banned.begin(), banned.end());
+    found->parting.insert(banned.begin(), banned.end());
   }
-  const auto found = gauss::event::LeastConstraint<S>(problem).solve();
-  if (!found.is_found) return std::nullopt;
-  // Those with reactions are independent of each other. Of more than a body needs, others stay where they are by these.
-  Unpressed result{banned, banned};
-  for (std::size_t k = 0; k < taking_part.size(); ++k) {
-    if (found.reactions[impact.constraints + k] > S(0)) continue;
-    const std::string& name = switches_.contacts[taking_part[k]].name;
-    result.all.insert(name);
-    if (found.rates[impact.constraints + k] > S(1e-6) * free_) result.parting.insert(name);
-  }
-  return result;
+  return found;
 }
 
 template <class S>
@@ -248,7 +235,7 @@ std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, con
   }
   if (!next.regime->project(here_.t, next.x))
     return why = "no state is near that satisfies its constraints", std::nullopt;
-  tell_unloaded(*next.regime);
+  tell_unloaded(next);
   if (!beginning.empty()) {
     SlipStart<S> start(*next.regime, switches_, modes, standing_, beginning, here_, next.x);
     const auto x = start.state(why);

@@ -11,6 +11,7 @@
 #include "sim/regimes/instant.hpp"
 #include "sim/regimes/regime_pool.hpp"
 #include "sim/regimes/standing.hpp"
+#include "sim/regimes/unpressed.hpp"
 
 namespace gausssim {
 
@@ -48,13 +49,9 @@ class RegimeChoice {
   using Opens = std::set<std::string>;
 
   std::vector<Opens> choices_of_contacts();
-  /// Contacts that may be open by Gauss's principle without friction: all without a reaction, and of these the ones that part.
-  struct Unpressed {
-    Opens all, parting;
-  };
   const std::optional<Unpressed>& unpressed();
   std::optional<Unpressed> find_unpressed() const;
-  void tell_unloaded(Regime<S>& regime);
+  void tell_unloaded(const NextRegime<S>& next) const;
   Opens banned_contacts() const;
   bool is_allowed(const Opens& opens) const;
   bool is_banned(const std::string& name, const std::string& mode) const;

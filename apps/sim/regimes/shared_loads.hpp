@@ -2,7 +2,9 @@
 // Guards of reactions that are not unique: what they are of the share of the load that leaves the most to all (docs/regimes.md).
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -26,8 +28,9 @@ class SharedLoads {
 
   bool are_possible() const { return static_cast<bool>(load_system_); }
 
-  /// Contacts that nothing presses but friction, from now on.
-  void know_unloaded(std::set<std::string> contacts) { unloaded_ = std::move(contacts); }
+  /// Of a state, the contacts that nothing presses but friction.
+  using Unloaded = std::function<std::set<std::string>(const S& t, const Numbers<S>& x)>;
+  void ask_unloaded(Unloaded unloaded) { unloaded_ = std::move(unloaded); }
 
   /// Puts margins in place of values of such guards: in N, or N*m, and below 0 where no share holds.
   void judge(const S& t, const Numbers<S>& x, std::vector<S>& values) const {
@@ -50,13 +53,14 @@ class SharedLoads {
     for (std::size_t i = 0; i < k; ++i) {
       const GuardOf& guard = guards_[places[i]];
       const auto own = per_reaction.begin() + static_cast<std::ptrdiff_t>(i * l);
-      problem.judged.push_back({guard.rows,
-                                guard.has_limit,
-                                limits[i],
-                                {own, own + static_cast<std::ptrdiff_t>(l)},
-                                guard.is_brittle,
-                                unloaded_.count(guard.of) > 0});
+      problem.judged.push_back(
+          {guard.rows, guard.has_limit, limits[i], {own, own + static_cast<std::ptrdiff_t>(l)}, guard.is_brittle});
     }
+    std::optional<std::set<std::string>> unloaded;
+    problem.is_unloaded = [&](std::size_t i) {
+      if (!unloaded) unloaded = unloaded_ ? unloaded_(t, x) : std::set<std::string>();
+      return unloaded->count(guards_[places[i]].of) > 0;
+    };
     gauss::event::LoadShares<S> shares(problem);
     // Contacts alone move a body alike by any share: they have the least one, which is reported.
     const bool has_limits = std::any_of(problem.judged.begin(), problem.judged.end(),
@@ -90,7 +94,7 @@ class SharedLoads {
   std::size_t speeds_;
   const std::vector<GuardOf>& guards_;
   const std::vector<char>& fixed_;
-  std::set<std::string> unloaded_;
+  Unloaded unloaded_;
 };
 
 }  // namespace gausssim

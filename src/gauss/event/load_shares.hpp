@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -23,7 +24,6 @@ struct JudgedLoad {
   S limit = 0;                  ///< without reactions
   std::vector<S> per_reaction;  ///< how much more it is, for each row of the problem
   bool is_brittle = false;      ///< it leaves nothing to others, as a link that breaks
-  bool is_unloaded = false;     ///< a contact that nothing presses but friction
 };
 
 /// Reactions along rows, which are gradients by the speeds and stand one after another; some follow from others.
@@ -35,6 +35,8 @@ struct LoadProblem {
   std::vector<S> reactions;    ///< one choice of them
   std::vector<char> is_fixed;  ///< of each row: forces contain its reaction, and would be others
   std::vector<JudgedLoad<S>> judged;
+  std::function<bool(std::size_t)>
+      is_unloaded;  ///< of those judged, a contact that nothing presses but friction: asked where that matters; may be none
 
   std::size_t count() const { return reactions.size(); }
 };
@@ -240,7 +242,7 @@ class LoadShares {
     Indices unloaded;
     for (std::size_t i = 0; i < problem_.judged.size(); ++i) {
       const JudgedLoad<S>& one = problem_.judged[i];
-      if (!one.has_limit && one.is_unloaded && is_open_[i] != 0 && may_jam(i)) unloaded.push_back(one.rows.front());
+      if (!one.has_limit && is_open_[i] != 0 && may_jam(i) && is_unloaded(i)) unloaded.push_back(one.rows.front());
     }
     if (unloaded.empty()) return;
     move(least_change(unloaded));
@@ -277,9 +279,11 @@ class LoadShares {
   /// It neither bears anything nor can.
   bool is_idle(std::size_t i) const {
     const JudgedLoad<S>& one = problem_.judged[i];
-    const bool cannot = is_open_[i] != 0 && (one.has_limit ? idle_[i] != 0 : one.is_unloaded && !depends(i));
-    return cannot && magnitude_of(value_of(i)) <= none() * size();
+    if (is_open_[i] == 0 || (one.has_limit ? idle_[i] == 0 : depends(i))) return false;
+    return magnitude_of(value_of(i)) <= none() * size() && (one.has_limit || is_unloaded(i));
   }
+
+  bool is_unloaded(std::size_t i) const { return problem_.is_unloaded && problem_.is_unloaded(i); }
 
   const LoadProblem<S>& problem_;
   std::vector<S> norms_;      ///< of rows, in the metric of masses: reactions times these have one unit

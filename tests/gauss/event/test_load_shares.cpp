@@ -272,8 +272,9 @@ TEST_CASE("What is overloaded in one place says nothing of another", "[load_shar
 TEST_CASE("Walls that nothing presses a body against do not hold it", "[load_shares]") {
   const auto margins_of = [](double weight, bool is_unloaded) {
     LoadProblem<double> problem = problem_of(2, {1, 0, -1, 0, 0, 1, 0, 1}, {0, 0, weight, 0});
-    add_contact(problem, 0).is_unloaded = is_unloaded;
-    add_contact(problem, 1).is_unloaded = is_unloaded;
+    add_contact(problem, 0);
+    add_contact(problem, 1);
+    problem.is_unloaded = [is_unloaded](std::size_t) { return is_unloaded; };
     add_limited(problem, {2}, 0, {{0, 0.5}});
     add_limited(problem, {3}, 0, {{1, 0.5}});
     return LoadShares<double>(problem).margins();

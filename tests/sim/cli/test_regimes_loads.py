@@ -91,6 +91,18 @@ forces:
   at_right: {friction: dot(z), limit: mu*right.reaction}
 """
 
+WEDGE = """gauss: 1
+name: wedge
+parameters: {{be: 0.1, mu: 0.5}}
+coordinates: {{x: {{}}, z: {{}}}}
+particles: {{p: {{mass: 1, position: [x, 0, z]}}}}
+contacts:
+{faces}forces:
+  load: {{generalized: {{z: t - 10}}}}
+  fl: {{friction: -dot(x)*sin(be) + dot(z)*cos(be), limit: mu*l.reaction}}
+  fr: {{friction: dot(x)*sin(be) + dot(z)*cos(be), limit: mu*r.reaction}}
+"""
+
 TIPPING = """gauss: 1
 name: tipping
 parameters: {m: 1, J: 0.1, w: 0.2, g: 9.81, mu: 0.5, side: 30}
@@ -308,6 +320,16 @@ class Loads(Regimes):
         table, _ = self.go(shaft, "--duration", "1", "--samples", "11")
         for t, z in zip(table["t"], table["z"]):
             self.assertAlmostEqual(z, -G * t ** 2 / 2, delta=1e-12)
+
+    def test_a_wedge_holds_as_long_as_something_presses_it_in(self):
+        """Steep walls with friction could hold it for ever by pressing each other: it leaves when it is pulled, after 10 s."""
+        for order in (1, -1):
+            faces = ["  l: {gap: x*cos(be) + z*sin(be)}\n", "  r: {gap: -x*cos(be) + z*sin(be)}\n"][::order]
+            table, events = self.go(WEDGE.format(faces="".join(faces)), "--duration", "12", "--samples", "7")
+            for mode in ("l open", "r open"):
+                self.assertAlmostEqual(self.instants(events, mode)[0], 10, delta=1e-12)
+            self.assertEqual(set(table["z"][:6]), {0})
+            self.assertAlmostEqual(table["z"][-1], 2 ** 3 / 6, delta=1e-12)
 
     def test_constraints_that_depend_on_each_other_give_friction_no_more_than_their_share(self):
         _, events = self.go(DOOR, "--duration", "6", "--samples", "3")
