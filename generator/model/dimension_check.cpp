@@ -136,6 +136,9 @@ class DimensionCheck {
       if (coordinate.held_at)
         note_reaction(coordinate.name.text, force_on(measure_of(reading_.model, coordinate.name.text), false));
     }
+    // Open ones have none, but what is written with it is wrong or right all the same.
+    for (const Contact& contact : reading_.model.contacts)
+      note_reaction(contact.name.text, over(known(energy()), inferred(contact.gap)));
   }
 
   void complete_impulses() {

@@ -88,6 +88,8 @@ int degree(const Ast& ast, const Model& model) {
     case AstKind::negate:
     case AstKind::sum: return most;
     case AstKind::product: return std::min(sum, k_not_linear);
+    case AstKind::power:
+      return ast.children[1].kind == AstKind::number && ast.children[1].number == 1 ? most : most == 0 ? 0 : k_not_linear;
     case AstKind::call:
       if (ast.name == "piecewise" && is_condition_free) return most;
       return most == 0 ? 0 : k_not_linear;
@@ -103,7 +105,6 @@ void declare_reactions(Reading& reading) {
 }
 
 void check_reactions(Reading& reading) {
-  if (!has_reactions_in_forces(reading.model)) return;
   for_each_expression(reading.model, [&](const Ast& ast, const Place& place) {
     if (place.reactions != Reactions::linear || degree(ast, reading.model) < k_not_linear) return;
     reading.diagnostics.error(

@@ -123,10 +123,12 @@ struct UsesOfForce {
   void operator()(const CoordinateSpring&) {}  // of the coordinate itself: it moves nothing else
 };
 
-/// Of the force of a spring whose end a held coordinate shakes, say.
+/// Of the force of a spring whose end a held coordinate shakes, say, or of a contact with what it moves.
 bool has_force_by(const Model& model, std::size_t coordinate) {
   Uses uses;
   for (const Force& force : model.forces) std::visit(UsesOfForce{model, uses}, force.law);
+  for (const DryFriction& friction : model.frictions) UsesOfForce{model, uses}(friction.law);
+  for (const Contact& contact : model.contacts) collect(contact.gap, model, uses);
   return uses.unsure || uses.coordinates.count(coordinate) > 0;
 }
 

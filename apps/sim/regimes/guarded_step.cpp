@@ -72,7 +72,7 @@ S GuardedStep<S>::uncertainty_of(std::size_t guard, const S& t) const {
                                   [&](const Watched& one) { return one.guard == guard && one.is_told; });
   const std::optional<Place> place = is_gap ? place_at(t) : std::nullopt;
   if (!place || !(place->rates[guard] < S(0))) return S(0);
-  return -32 * gauss::Math<S>::epsilon() * largest_of(place->x.data(), here_.coordinates) / place->rates[guard];
+  return -32 * gauss::Math<S>::epsilon() * regime_.reaches(place->t, place->x)[guard] / place->rates[guard];
 }
 
 /// Rates of gaps are told; those of others follow from a look a little later.
@@ -137,7 +137,8 @@ bool GuardedStep<S>::is_hit(const Watched& one, const S& at, const S& slow) cons
   const std::optional<Place> place = place_at(at);
   if (!place) return true;
   const S rate = place->rates[one.guard];
-  return rate < -slow || (rate < S(0) && place->values[one.guard] < -gap_that_is_none<S>(place->x, here_.coordinates));
+  return rate < -slow ||
+         (rate < S(0) && place->values[one.guard] < -S(1e-9) * regime_.reaches(place->t, place->x)[one.guard]);
 }
 
 /// The time at which a guard falls through 0 within the last step.
@@ -158,7 +159,7 @@ std::optional<S> GuardedStep<S>::crossing(const Watched& one, const S& slow) con
   // What rounding has left a little below 0 is no event while it rises.
   if (!(begin > S(0)) && one.sense * from_.rates[g] > S(0) && high_value >= begin) return std::nullopt;
   // What has just been at 0, as far as places have digits, is above it for a while, unless it falls at once.
-  const S none = one.is_told ? S(16 * gauss::Math<S>::epsilon() * largest_of(from_.x.data(), here_.coordinates)) : S(0);
+  const S none = one.is_told ? S(16 * gauss::Math<S>::epsilon() * regime_.reaches(from_.t, from_.x)[one.guard]) : S(0);
   const S last = high;
   S low = from_.t, low_value = begin;
   constexpr int k_looks = 40;

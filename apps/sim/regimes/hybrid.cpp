@@ -103,6 +103,9 @@ template <class S>
 bool Hybrid<S>::look(Standing<S>& standing) {
   Regime<S>* const free = ground();
   if (free == nullptr) return false;
+  const std::vector<S> reaches = free->reaches(here_.t, here_.x);
+  for (std::size_t g = 0; g < reaches.size(); ++g)
+    if (free->guards()[g].kind == Kind::falls) here_.reaches[free->guards()[g].of] = reaches[g];
   if (find_standing(*free, pool_.switches(), here_.t, here_.x, standing)) return true;
   stop(Outcome::model_failed, "contacts and slips have no value here");
   return false;
@@ -116,16 +119,17 @@ bool Hybrid<S>::start() {
   here_.coordinates = ground()->functions().n_q;
   here_.note_sizes(here_.x);
   const Switches& switches = pool_.switches();
-  const S touch = gap_that_is_none<S>(here_.x, here_.coordinates);
   std::set<std::string> closing;
   for (std::size_t c = 0; c < switches.contacts.size(); ++c) {
     const std::string& name = switches.contacts[c].name;
-    if (standing.gaps[c] < -touch) {
+    const S reach = here_.reaches.at(name);
+    if (standing.gaps[c] < -S(1e-9) * reach) {
       stop(Outcome::no_regime, fmt::format("the contact '{}' begins with a gap of {:.3g}: what touches overlaps", name,
                                            static_cast<double>(standing.gaps[c])));
       return false;
     }
-    if (standing.gaps[c] > touch) continue;
+    // Here nothing but the digits of what is given makes a gap.
+    if (standing.gaps[c] > std::max(S(1e-12), S(16 * gauss::Math<S>::epsilon())) * reach) continue;
     here_.closed.insert(name);
     if (standing.gap_rate(c) < -here_.slow()) closing.insert(name);
   }

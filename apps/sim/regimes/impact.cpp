@@ -27,7 +27,7 @@ void forget_rebounds_without_end(const Regime<S>& ground, const Regime<S>& befor
     const S height = -e * e * rate * rate / acceleration / 2;
     const S least = 64 * gauss::Math<S>::epsilon() * gauss::event::magnitude_of(here.t);
     const bool is_brief = rest < S(k_rest) * (here.t - here.start) || rest < least;
-    if (is_brief || height < S(k_flat) * gauss::Math<S>::epsilon() * largest_of(here.x.data(), here.coordinates))
+    if (is_brief || height < S(k_flat) * gauss::Math<S>::epsilon() * here.reaches.at(switches.contacts[c].name))
       problem.restitution[c] = S(0);
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 
@@ -15,12 +16,13 @@ template <class S>
 struct Instant {
   S t = 0, start = 0, last_event = 0;
   Numbers<S> x;
-  std::size_t coordinates = 0;   ///< of the state, which stand before its speeds
-  Numbers<S> sizes;              ///< largest of each component so far
-  S fastest = 0;                 ///< speed so far
-  S rounded_speed = 0;           ///< of what falls from as far as places are, the part that has no digits
-  Numbers<S> rounding;           ///< of rates, where forces cancel that accelerate a body while nothing holds it
-  std::set<std::string> closed;  ///< contacts, beside those that open at this instant
+  std::size_t coordinates = 0;       ///< of the state, which stand before its speeds
+  Numbers<S> sizes;                  ///< largest of each component so far
+  S fastest = 0;                     ///< speed so far
+  S rounded_speed = 0;               ///< of what falls from as far as places are, the part that has no digits
+  Numbers<S> rounding;               ///< of rates, where forces cancel that accelerate a body while nothing holds it
+  std::map<std::string, S> reaches;  ///< of gaps of contacts: Regime::reaches
+  std::set<std::string> closed;      ///< contacts, beside those that open at this instant
   std::set<std::string> halted;  ///< frictions whose slip has come to its end here, whatever rounding has left of it
   std::set<std::string> broken;
 
@@ -38,7 +40,7 @@ struct Instant {
   /// What touches and does not part, whether it has a reaction or others hold it there.
   bool touches(const std::string& contact, const S& gap, const S& gap_rate) const {
     if (gap_rate > slow()) return false;
-    return closed.count(contact) > 0 || (gap <= gap_that_is_none<S>(x, coordinates) && !(gap_rate < -slow()));
+    return closed.count(contact) > 0 || (gap <= S(1e-9) * reaches.at(contact) && !(gap_rate < -slow()));
   }
 
   /// What an integrator cannot know of the motion before it.

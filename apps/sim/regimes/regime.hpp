@@ -34,12 +34,6 @@ S size_of_places(const Numbers<S>& x, std::size_t coordinates) {
   return std::max(S(1e-3), largest_of(x.data(), coordinates));
 }
 
-/// What touches, as far as coordinates have digits.
-template <class S>
-S gap_that_is_none(const Numbers<S>& x, std::size_t coordinates) {
-  return S(1e-9) * size_of_places(x, coordinates);
-}
-
 template <class S>
 class Regime {
  public:
@@ -75,6 +69,26 @@ class Regime {
     std::vector<S> values;
     fill_guards(t, x, values);
     return values;
+  }
+
+  /// Of each guard, about as large as what it is the difference of: Σ |∂guard/∂q| |q|, with 1e-3 for coordinates that are less. What it has no digits for, and what touches,
+  /// is told by this, whatever unit it has, and however far away the rest of the model is.
+  std::vector<S> reaches(const S& t, const Numbers<S>& x) const {
+    std::vector<S> before(model_->guards.size()), after(before.size()), result(before.size(), S(0));
+    if (!guards_ || before.empty()) return result;
+    guards_(t, x.data(), before.data());
+    for (std::size_t i = 0; i < functions_->n_q; ++i) {
+      const S size = std::max(S(1e-3), gauss::event::magnitude_of(x[i])),
+              part = gauss::Math<S>::sqrt(gauss::Math<S>::epsilon());
+      Numbers<S> beside = x;
+      beside[i] += part * size;
+      guards_(t, beside.data(), after.data());
+      for (std::size_t g = 0; g < before.size(); ++g) {
+        const S change = gauss::event::magnitude_of(S(after[g] - before[g])) / part;
+        if (change == change) result[g] += change;
+      }
+    }
+    return result;
   }
 
   /// How guards that are `now` change, `rates` being those of the state: by a look a little later.

@@ -3,7 +3,6 @@
 #ifndef GAUSS_EVENT_COUPLINGS_HPP
 #define GAUSS_EVENT_COUPLINGS_HPP
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -19,13 +18,20 @@ struct Couplings {
 
   Couplings(const std::vector<S>& metric, const std::vector<S>& rows, std::size_t speeds, std::size_t count)
       : responses(count, speeds), between(count, count) {
+    // In speeds whose inertia is 1: of lengths and angles, one may be small in its unit.
     DenseMatrix<S> matrix(speeds, speeds);
-    matrix.entries = metric;
+    std::vector<S> scales;
+    for (std::size_t i = 0; i < speeds; ++i) {
+      const S own = metric[i * speeds + i];
+      scales.push_back(own > S(0) ? S(S(1) / Math<S>::sqrt(own)) : S(1));
+    }
+    for (std::size_t i = 0; i < speeds; ++i)
+      for (std::size_t j = 0; j < speeds; ++j) matrix(i, j) = scales[i] * metric[i * speeds + j] * scales[j];
     for (std::size_t k = 0; k < count; ++k) {
-      const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(k * speeds);
-      const std::vector<S> found =
-          solve_dense(matrix, std::vector<S>(begin, begin + static_cast<std::ptrdiff_t>(speeds)));
-      std::copy(found.begin(), found.end(), responses.entries.begin() + static_cast<std::ptrdiff_t>(k * speeds));
+      std::vector<S> row(speeds);
+      for (std::size_t i = 0; i < speeds; ++i) row[i] = scales[i] * rows[k * speeds + i];
+      const std::vector<S> found = solve_dense(matrix, std::move(row));
+      for (std::size_t i = 0; i < speeds; ++i) responses(k, i) = scales[i] * found[i];
     }
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t j = 0; j < count; ++j)

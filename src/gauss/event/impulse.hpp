@@ -6,341 +6,119 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 #include <vector>
 
-#include "gauss/event/couplings.hpp"
-#include "gauss/event/dense.hpp"
-#include "gauss/event/null_space.hpp"
+#include "gauss/event/coupled_impulses.hpp"
 
 namespace gauss::event {
 
-/// Rows are gradients by the speeds: of constraints first, then of gaps, then of slips of friction.
-template <class S>
-struct ImpactProblem {
-  std::size_t speeds = 0, constraints = 0;
-  std::vector<S> metric;           ///< speeds × speeds
-  std::vector<S> rows;             ///< one after another
-  std::vector<S> rates;            ///< of each row before
-  std::vector<S> restitution;      ///< of each contact
-  std::vector<char> takes_part;    ///< of each contact: it is closed, or closes now
-  std::vector<std::size_t> slips;  ///< of each friction: how many rows it has, 1 or 2
-  std::vector<S> limits;           ///< frictions × contacts: per impulse of the contact
-
-  std::size_t contacts() const { return restitution.size(); }
-  std::size_t count() const { return rates.size(); }
-  /// A row, and changes of the speeds, in coordinates in which inertia is 1 (null_space.hpp).
-  std::vector<S> row_in_metric(std::size_t row) const {
-    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(row * speeds);
-    return in_metric(metric, std::vector<S>(begin, begin + static_cast<std::ptrdiff_t>(speeds)), speeds, 1).entries;
-  }
-  std::vector<S> out_of_metric(const std::vector<S>& change) const {
-    return gauss::event::out_of_metric(metric, change);
-  }
-  std::size_t first_slip(std::size_t friction) const {
-    std::size_t first = constraints + contacts();
-    for (std::size_t f = 0; f < friction; ++f) first += slips[f];
-    return first;
-  }
-};
-
-template <class S>
-struct Impulses {
-  std::vector<S> changes;   ///< of the speeds
-  std::vector<S> impulses;  ///< along each row
-  bool is_found = false;    ///< else no impulses satisfy the law to rounding
-};
-
 /// Moreau's law for all contacts at once: the rate of each gap becomes no less than -e times what it was, and there is an impulse only where it is
 /// that. Friction takes no more than its limit, against what slip is left. Poisson's law where friction leaves that without impulses, or with energy that it gives. The result does not depend on the order of contacts.
+///
+/// Rows are measured in the metric of masses, so that lengths and angles, and whatever units they have, are alike, and what acts on nothing in common is found by itself.
 template <class S>
 class ImpactSolver {
  public:
-  explicit ImpactSolver(const ImpactProblem<S>& problem)
-      : problem_(problem),
-        couplings_(problem.metric, problem.rows, problem.speeds, problem.count()),
-        rates_(problem.rates),
-        restitution_(problem.restitution),
-        given_(problem.contacts(), S(0)) {}
+  explicit ImpactSolver(const ImpactProblem<S>& problem) : problem_(problem), scales_(problem.count(), S(1)) {
+    measure();
+    find_islands();
+  }
 
-  Impulses<S> solve() {
-    bool is_found = find();
-    const bool rebounds = std::any_of(restitution_.begin(), restitution_.end(), [](const S& e) { return e > S(0); });
-    if (rebounds && !problem_.slips.empty() && (!is_found || gives_energy())) is_found = find_in_two_phases();
-    Impulses<S> result;
-    result.is_found = is_found;
-    result.impulses = impulses_;
-    result.changes.assign(problem_.speeds, S(0));
-    for (std::size_t k = 0; k < problem_.count(); ++k)
-      for (std::size_t i = 0; i < problem_.speeds; ++i) result.changes[i] += impulses_[k] * couplings_.responses(k, i);
+  Impulses<S> solve() const {
+    Impulses<S> result{std::vector<S>(problem_.speeds, S(0)), std::vector<S>(problem_.count(), S(0)), true};
+    for (std::size_t island = 0; island < problem_.count(); ++island) {
+      if (island_of_[island] != island) continue;
+      const Part part = part_of(island);
+      const Impulses<S> found = CoupledImpulses<S>(part.problem).solve();
+      result.is_found = result.is_found && found.is_found;
+      for (std::size_t i = 0; i < problem_.speeds; ++i) result.changes[i] += found.changes[i];
+      for (std::size_t k = 0; k < part.rows.size(); ++k)
+        result.impulses[part.rows[k]] = scales_[part.rows[k]] * found.impulses[k];
+    }
     return result;
   }
 
  private:
-  bool find() {
-    // Shorter steps of friction where it turns the slip that it acts against.
-    for (const double step : {1.0, 0.3, 0.1, 0.03}) {
-      impulses_.assign(problem_.count(), S(0));
-      relax(S(step));
-      if (settle()) return true;
-    }
-    return false;
+  using Indices = std::vector<std::size_t>;
+
+  struct Part {
+    ImpactProblem<S> problem;
+    Indices rows;  ///< of the whole problem
+  };
+
+  std::size_t contact_row(std::size_t contact) const { return problem_.constraints + contact; }
+
+  /// To length 1. The rows of a slip keep their angles.
+  void measure() {
+    between_ = Couplings<S>(problem_.metric, problem_.rows, problem_.speeds, problem_.count()).between;
+    const auto scale = [&](std::size_t first, std::size_t count) {
+      S own = 0;
+      for (std::size_t k = first; k < first + count; ++k) own = std::max(own, between_(k, k));
+      for (std::size_t k = first; own > S(0) && k < first + count; ++k) scales_[k] = S(1) / Math<S>::sqrt(own);
+    };
+    for (std::size_t k = 0; k < problem_.constraints + problem_.contacts(); ++k) scale(k, 1);
+    for (std::size_t f = 0; f < problem_.slips.size(); ++f) scale(problem_.first_slip(f), problem_.slips[f]);
   }
 
-  /// Seen from what moves by itself: p (φ⁻ + φ⁺)/2.
-  bool gives_energy() const {
-    S sum = 0, size = 0;
-    for (std::size_t k = 0; k < problem_.count(); ++k) {
-      sum += impulses_[k] * (rates_[k] + rate(k));
-      size = std::max(size, magnitude_of(S(impulses_[k] * rates_[k])));
-    }
-    return sum > least(1e-9) * size;
-  }
-
-  /// Poisson's law, which has impulses, and takes energy, where restitution of rates and friction leave none, or would give some: those that stop what closes, and then as large a part of these
-  /// as restitution says, with friction in both phases (F. Pfeiffer and C. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8).
-  bool find_in_two_phases() {
-    std::fill(restitution_.begin(), restitution_.end(), S(0));
-    if (!find()) return false;
-    std::vector<S> first = impulses_;
-    for (std::size_t c = 0; c < problem_.contacts(); ++c) {
-      const std::size_t k = problem_.constraints + c;
-      const S closing = problem_.rates[k] < S(0) ? problem_.restitution[c] : S(0);
-      given_[c] = closing * impulses_[k];
-      first[k] += given_[c];
-    }
+  /// Each by its first row.
+  void find_islands() {
+    island_of_.resize(problem_.count());
+    std::iota(island_of_.begin(), island_of_.end(), std::size_t(0));
+    const auto join = [&](std::size_t a, std::size_t b) {
+      const std::size_t from = std::max(island_of_[a], island_of_[b]), to = std::min(island_of_[a], island_of_[b]);
+      std::replace(island_of_.begin(), island_of_.end(), from, to);
+    };
+    const S none = 64 * Math<S>::epsilon();
     for (std::size_t k = 0; k < problem_.count(); ++k)
-      for (std::size_t j = 0; j < problem_.count(); ++j) rates_[k] += couplings_.between(k, j) * first[j];
-    if (!find()) return false;
-    for (std::size_t k = 0; k < problem_.count(); ++k) impulses_[k] += first[k];
-    return true;
-  }
-
-  S rate(std::size_t row) const {
-    S sum = rates_[row];
-    for (std::size_t j = 0; j < problem_.count(); ++j) sum += couplings_.between(row, j) * impulses_[j];
-    return sum;
-  }
-
-  /// What the rate of a gap is to be, where it has an impulse.
-  S target(std::size_t contact) const {
-    const S before = rates_[problem_.constraints + contact];
-    return before < S(0) ? -restitution_[contact] * before : S(0);
-  }
-
-  S limit(std::size_t friction) const {
-    S sum = 0;
-    for (std::size_t c = 0; c < problem_.contacts(); ++c)
-      sum += problem_.limits[friction * problem_.contacts() + c] * (impulses_[problem_.constraints + c] + given_[c]);
-    return std::max(sum, S(0));
-  }
-
-  bool may_have_limit(std::size_t friction) const {
-    for (std::size_t c = 0; c < problem_.contacts(); ++c)
-      if (problem_.takes_part[c] != 0 && problem_.limits[friction * problem_.contacts() + c] > S(0)) return true;
-    return false;
-  }
-
-  /// Or what the number type still tells.
-  static S least(double part) { return std::max(S(part), S(64 * Math<S>::epsilon())); }
-
-  /// Gauss-Seidel with projections: near enough to tell what has an impulse, and what slips which way. At first as if each row gave way: that leaves equal parts to rows that do the same.
-  void relax(const S& step) {
-    for (const double yield : {0.1, 1e-2, 1e-3, 0.0}) relax(S(yield), step, yield > 0 ? 200 : 20000);
-  }
-
-  void relax(const S& yield, const S& step, int sweeps) {
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      S moved = 0, size = 0;
-      const auto set = [&](std::size_t row, const S& value) {
-        moved = std::max(moved, magnitude_of(S(value - impulses_[row])));
-        size = std::max(size, magnitude_of(value));
-        impulses_[row] = value;
-      };
-      for (std::size_t k = 0; k < problem_.constraints; ++k)
-        if (couplings_.between(k, k) > S(0)) set(k, without(k, S(0), yield));
-      for (std::size_t c = 0; c < problem_.contacts(); ++c) {
-        const std::size_t k = problem_.constraints + c;
-        if (problem_.takes_part[c] == 0 || !(couplings_.between(k, k) > S(0))) continue;
-        set(k, std::max(S(0), without(k, target(c), yield)));
-      }
-      for (std::size_t f = 0; f < problem_.slips.size(); ++f)
-        if (may_have_limit(f)) relax_friction(f, yield, step, set);
-      if (!(moved > least(1e-14) * size)) return;
-    }
-  }
-
-  /// The impulse along a row with which its rate, and what gives way, come to `target`.
-  S without(std::size_t row, const S& target, const S& yield) const {
-    const S own = couplings_.between(row, row);
-    return impulses_[row] - (rate(row) - target + yield * own * impulses_[row]) / ((S(1) + yield) * own);
-  }
-
-  /// The same length of step in all directions, since it is the direction of the slip that friction acts against.
-  template <class Set>
-  void relax_friction(std::size_t friction, const S& yield, const S& step, const Set& set) {
-    const std::size_t first = problem_.first_slip(friction), count = problem_.slips[friction];
-    S values[2] = {S(0), S(0)}, square = 0, own = 0;
-    for (std::size_t k = first; k < first + count; ++k) own = std::max(own, couplings_.between(k, k));
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t k = first + i;
-      if (own > S(0)) values[i] = impulses_[k] - step * (rate(k) + yield * own * impulses_[k]) / ((S(1) + yield) * own);
-      square += values[i] * values[i];
-    }
-    const S size = Math<S>::sqrt(square), most = limit(friction);
-    const S part = size > most ? most / size : S(1);
-    for (std::size_t i = 0; i < count; ++i) set(first + i, part * values[i]);
-  }
-
-  /// What each row is, from what was found: then impulses follow from linear equations, to rounding.
-  bool settle() {
-    constexpr int k_passes = 40;
-    const std::vector<S> relaxed = impulses_;
-    std::vector<S> best;
-    S nearest = std::numeric_limits<S>::infinity();
-    for (int pass = 0; pass < k_passes; ++pass) {
-      const std::vector<S> before = impulses_;
-      solve_active();
-      S moved = 0, size = 0;
-      for (std::size_t k = 0; k < impulses_.size(); ++k) {
-        moved = std::max(moved, magnitude_of(S(impulses_[k] - before[k])));
-        size = std::max(size, magnitude_of(impulses_[k]));
-      }
-      // Directions of slip may turn away from what they were relaxed to.
-      const bool is_nearer = moved < nearest && holds();
-      if (is_nearer) best = impulses_, nearest = moved;
-      if (!(moved > 64 * Math<S>::epsilon() * size) || (!is_nearer && !best.empty())) break;
-    }
-    impulses_ = best.empty() ? relaxed : best;
-    return holds();
-  }
-
-  /// The whole law, to rounding of what was relaxed.
-  bool holds() const {
-    S fastest = 0, largest = 0;
-    for (const S& one : problem_.rates) fastest = std::max(fastest, magnitude_of(one));
-    for (const S& one : given_) largest = std::max(largest, one);
-    for (const S& one : impulses_) largest = std::max(largest, magnitude_of(one));
-    const S of_rates = least(1e-9) * fastest, of_impulses = least(1e-9) * largest;
-    for (std::size_t k = 0; k < problem_.constraints; ++k)
-      if (!(magnitude_of(rate(k)) <= of_rates)) return false;
-    for (std::size_t c = 0; c < problem_.contacts(); ++c) {
-      if (problem_.takes_part[c] == 0) continue;
-      const std::size_t k = problem_.constraints + c;
-      const S above = rate(k) - target(c);
-      if (!(above >= -of_rates) || !(impulses_[k] >= -of_impulses)) return false;
-      if (impulses_[k] > of_impulses && above > of_rates) return false;
-    }
-    for (std::size_t f = 0; f < problem_.slips.size(); ++f)
-      if (may_have_limit(f) && !friction_holds(f, of_rates, of_impulses)) return false;
-    return true;
-  }
-
-  bool friction_holds(std::size_t friction, const S& of_rates, const S& of_impulses) const {
-    const std::size_t first = problem_.first_slip(friction), count = problem_.slips[friction];
-    const S most = limit(friction), slip = length(first, count, [this](std::size_t k) { return rate(k); });
-    const S taken = length(first, count, [this](std::size_t k) { return impulses_[k]; });
-    if (!(taken <= most + of_impulses)) return false;
-    for (std::size_t k = first; slip > of_rates && k < first + count; ++k)
-      if (!(magnitude_of(S(impulses_[k] + most * rate(k) / slip)) <= of_impulses)) return false;
-    return true;
-  }
-
-  template <class Value>
-  static S length(std::size_t first, std::size_t count, const Value& value) {
-    S square = 0;
-    for (std::size_t k = first; k < first + count; ++k) square += value(k) * value(k);
-    return Math<S>::sqrt(square);
-  }
-
-  void solve_active() {
-    const std::size_t m = problem_.count();
-    std::vector<std::size_t> active;
-    for (std::size_t k = 0; k < problem_.constraints; ++k) active.push_back(k);
-    for (std::size_t c = 0; c < problem_.contacts(); ++c)
-      if (problem_.takes_part[c] != 0 && is_pressed(c)) active.push_back(problem_.constraints + c);
-    S fastest = 0;
-    for (const S& one : problem_.rates) fastest = std::max(fastest, magnitude_of(one));
-    // Slip that is left has its friction from the contacts: a part of their columns.
-    DenseMatrix<S> by(m, m);
-    std::vector<S> of_given(m, S(0));
-    for (std::size_t k = 0; k < m; ++k) by(k, k) = S(1);
+      for (std::size_t j = 0; j < k; ++j)
+        if (magnitude_of(S(scales_[k] * scales_[j] * between_(k, j))) > none) join(k, j);
     for (std::size_t f = 0; f < problem_.slips.size(); ++f) {
-      if (!may_have_limit(f)) continue;
-      const std::size_t first = problem_.first_slip(f), count = problem_.slips[f];
-      const S most = limit(f), slip = length(first, count, [this](std::size_t k) { return rate(k); });
-      const S taken = length(first, count, [this](std::size_t k) { return impulses_[k]; });
-      const bool sticks = most > S(0) && taken < most * (S(1) - least(1e-9));
-      // What has come to rest with all that friction has tells its direction by that alone.
-      const bool rests = !(slip > least(1e-9) * fastest) && taken > S(0);
-      for (std::size_t k = first; k < first + count; ++k) {
-        if (sticks) {
-          active.push_back(k);
-          continue;
-        }
-        by(k, k) = S(0);
-        const S direction = rests ? S(-impulses_[k] / taken) : slip > S(0) ? S(rate(k) / slip) : S(0);
-        for (std::size_t c = 0; c < problem_.contacts(); ++c) {
-          by(k, problem_.constraints + c) = -direction * problem_.limits[f * problem_.contacts() + c];
-          of_given[k] -= direction * problem_.limits[f * problem_.contacts() + c] * given_[c];
-        }
-      }
+      const std::size_t first = problem_.first_slip(f);
+      for (std::size_t k = 1; k < problem_.slips[f]; ++k) join(first, first + k);
+      for (std::size_t c = 0; c < problem_.contacts(); ++c)
+        if (magnitude_of(problem_.limits[f * problem_.contacts() + c]) > S(0)) join(first, contact_row(c));
     }
-    DenseMatrix<S> matrix(active.size(), active.size());
-    std::vector<S> right(active.size(), S(0));
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      const std::size_t row = active[i];
-      const bool is_gap = row >= problem_.constraints && row < problem_.constraints + problem_.contacts();
-      right[i] = (is_gap ? target(row - problem_.constraints) : S(0)) - rates_[row];
-      for (std::size_t k = 0; k < m; ++k) right[i] -= couplings_.between(row, k) * of_given[k];
-      for (std::size_t j = 0; j < active.size(); ++j)
-        for (std::size_t k = 0; k < m; ++k) matrix(i, j) += couplings_.between(row, k) * by(k, active[j]);
-    }
-    const std::vector<S> found = least_solution(matrix, right, active);
-    std::vector<S> all = of_given;
-    for (std::size_t j = 0; j < active.size(); ++j)
-      for (std::size_t k = 0; k < m; ++k) all[k] += by(k, active[j]) * found[j];
-    impulses_ = all;
   }
 
-  /// Of all solutions, the least one, by iterated regularisation (A. Neumaier, SIAM Review 40 (1998) 636-666, section 10).
-  std::vector<S> least_solution(const DenseMatrix<S>& matrix, const std::vector<S>& right,
-                                const std::vector<std::size_t>& rows) const {
-    DenseMatrix<S> yielding = matrix;
-    for (std::size_t i = 0; i < rows.size(); ++i) yielding(i, i) += S(k_yield) * couplings_.between(rows[i], rows[i]);
-    std::vector<S> result(rows.size(), S(0));
-    S before = std::numeric_limits<S>::infinity();
-    for (int pass = 0; pass < k_corrections; ++pass) {
-      std::vector<S> off = right;
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t j = 0; j < rows.size(); ++j) off[i] -= matrix(i, j) * result[j];
-      const std::vector<S> change = solve_dense(yielding, off);
-      S moved = 0;
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        result[i] += change[i];
-        moved = std::max(moved, magnitude_of(change[i]));
-      }
-      if (!(moved < before / 2)) break;
-      before = moved;
+  Part part_of(std::size_t island) const {
+    Part part;
+    ImpactProblem<S>& own = part.problem;
+    own.speeds = problem_.speeds;
+    own.metric = problem_.metric;
+    const auto take = [&](std::size_t k) {
+      const auto begin = problem_.rows.begin() + static_cast<std::ptrdiff_t>(k * problem_.speeds);
+      for (std::size_t i = 0; i < problem_.speeds; ++i)
+        own.rows.push_back(scales_[k] * begin[static_cast<std::ptrdiff_t>(i)]);
+      own.rates.push_back(scales_[k] * problem_.rates[k]);
+      part.rows.push_back(k);
+    };
+    const auto is_in = [&](std::size_t k) { return island_of_[k] == island; };
+    for (std::size_t k = 0; k < problem_.constraints; ++k)
+      if (is_in(k)) take(k), ++own.constraints;
+    Indices contacts;
+    for (std::size_t c = 0; c < problem_.contacts(); ++c) {
+      if (!is_in(contact_row(c))) continue;
+      take(contact_row(c));
+      own.restitution.push_back(problem_.restitution[c]);
+      own.takes_part.push_back(problem_.takes_part[c]);
+      contacts.push_back(c);
     }
-    return result;
+    for (std::size_t f = 0; f < problem_.slips.size(); ++f) {
+      const std::size_t first = problem_.first_slip(f);
+      if (!is_in(first)) continue;
+      for (std::size_t k = first; k < first + problem_.slips[f]; ++k) take(k);
+      own.slips.push_back(problem_.slips[f]);
+      for (const std::size_t c : contacts)
+        own.limits.push_back(problem_.limits[f * problem_.contacts() + c] * scales_[contact_row(c)] / scales_[first]);
+    }
+    return part;
   }
-
-  bool is_pressed(std::size_t contact) const {
-    const std::size_t k = problem_.constraints + contact;
-    S largest = 0;
-    for (const S& one : impulses_) largest = std::max(largest, magnitude_of(one));
-    return impulses_[k] > least(1e-11) * largest;
-  }
-
-  static constexpr double k_yield = 1e-6;
-  static constexpr int k_corrections = 30;
 
   const ImpactProblem<S>& problem_;
-  Couplings<S> couplings_;
-  std::vector<S> rates_, restitution_;  ///< of the phase
-  std::vector<S> given_;                ///< impulses of contacts that it begins with
-  std::vector<S> impulses_;
+  DenseMatrix<S> between_;
+  std::vector<S> scales_;  ///< of rows
+  Indices island_of_;      ///< each row
 };
 
 }  // namespace gauss::event
