@@ -47,9 +47,24 @@ class StructureCheck {
     }
     for (const std::size_t force : mechanics_.kinematics.inner_forces) report_inner(model_.forces[force]);
     for (const model::Constraint& constraint : model_.constraints) check_contact(constraint);
+    check_gaps();
   }
 
  private:
+  void check_gaps() {
+    const auto& rows = mechanics_.kinematics.switches.contacts;
+    for (std::size_t c = 0; c < rows.size(); ++c) {
+      const auto& beta = rows[c].beta;
+      if (std::any_of(beta.begin(), beta.end(), [](const ir::Expr& entry) { return !entry.is_zero(); })) continue;
+      const model::Contact& contact = model_.contacts[c];
+      diagnostics_.error(support::code::k_no_velocity, contact.gap.span,
+                         fmt::format("the gap of the contact '{}' does not depend on any free coordinate: what it "
+                                     "says of them cancels",
+                                     contact.name.text),
+                         "a gap changes as the model moves: write it with coordinates, or places such as tip.z");
+    }
+  }
+
   void report_reactions() {
     const std::string& first = model_.reactions.front().of;
     diagnostics_.error(

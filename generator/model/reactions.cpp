@@ -89,7 +89,9 @@ int degree(const Ast& ast, const Model& model) {
     case AstKind::sum: return most;
     case AstKind::product: return std::min(sum, k_not_linear);
     case AstKind::power:
-      return ast.children[1].kind == AstKind::number && ast.children[1].number == 1 ? most : most == 0 ? 0 : k_not_linear;
+      return ast.children[1].kind == AstKind::number && ast.children[1].number == 1 ? most
+             : most == 0                                                            ? 0
+                                                                                    : k_not_linear;
     case AstKind::call:
       if (ast.name == "piecewise" && is_condition_free) return most;
       return most == 0 ? 0 : k_not_linear;

@@ -219,6 +219,15 @@ std::vector<std::size_t> RegimeChoice<S>::beginning_slips(const Modes& modes) co
   return result;
 }
 
+/// What sticks has come to rest: whatever takes more than that would be an impact, such as of a crank whose slide rests at the dead centre.
+template <class S>
+bool RegimeChoice<S>::is_near(const Numbers<S>& x) const {
+  S change = 0;
+  for (std::size_t i = here_.coordinates; i < x.size(); ++i)
+    change = std::max(change, magnitude_of(S(x[i] - here_.x[i])));
+  return !(change > std::max(S(S(1e-4) * here_.fastest), S(S(1e6) * here_.rounded_speed)));
+}
+
 /// If it goes on from here for some time.
 template <class S>
 std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, const Opens& opens, std::string& why) {
@@ -233,7 +242,7 @@ std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, con
     if (underived_.empty()) underived_ = why;
     return std::nullopt;
   }
-  if (!next.regime->project(here_.t, next.x))
+  if (!next.regime->project(here_.t, next.x) || !is_near(next.x))
     return why = "no state is near that satisfies its constraints", std::nullopt;
   tell_unloaded(next);
   if (!beginning.empty()) {
@@ -243,8 +252,38 @@ std::optional<NextRegime<S>> RegimeChoice<S>::consistent(const Modes& modes, con
     next.x = *x;
     next.has_fresh_slip = true;
   }
-  if (!holds(next, opens, why)) return std::nullopt;
+  if (!holds(next, opens, why) || !stays_held(next, why)) return std::nullopt;
   return next;
+}
+
+/// At a dead centre a slip is 0 whatever friction does, and what holds it there says nothing of its acceleration: then rows contradict each other, and one of them gives way.
+template <class S>
+bool RegimeChoice<S>::stays_held(const NextRegime<S>& next, std::string& why) const {
+  const S dt = here_.a_while(S(1e-5), S(1e-3));
+  const Numbers<S> rates = next.regime->rates(here_.t, next.x);
+  const S size = std::max(free_, largest_of(rates.data() + here_.coordinates, rates.size() - here_.coordinates));
+  Standing<S> now, then;
+  if (!find_standing(ground_, switches_, here_.t, next.x, now) ||
+      !find_standing(ground_, switches_, S(here_.t + dt), moved(next.x, rates, dt), then))
+    return true;
+  const auto is_broken = [&](std::size_t row) {
+    return magnitude_of(S(then.impact.rates[row] - now.impact.rates[row])) > S(1e-3) * size * dt;
+  };
+  const auto& impact = now.impact;
+  for (std::size_t k = 0; k < impact.constraints; ++k)
+    if (is_broken(k)) return why = "constraints contradict each other", false;
+  for (std::size_t c = 0; c < impact.contacts(); ++c) {
+    const std::string& name = switches_.contacts[c].name;
+    if (next.modes.at(name) == "closed" && is_broken(impact.constraints + c))
+      return why = fmt::format("'{}' would not stay closed", name), false;
+  }
+  for (std::size_t f = 0; f < impact.slips.size(); ++f) {
+    const std::string& name = switches_.frictions[f].name;
+    for (std::size_t i = 0; i < impact.slips[f]; ++i)
+      if (next.modes.at(name) == "sticks" && is_broken(impact.first_slip(f) + i))
+        return why = fmt::format("'{}' is at rest for an instant only", name), false;
+  }
+  return true;
 }
 
 template <class S>

@@ -62,6 +62,8 @@ class RegimeChoice {
   std::optional<NextRegime<S>> find_with(const Opens& opens, std::string& why);
   std::optional<NextRegime<S>> consistent(const Modes& modes, const Opens& opens, std::string& why);
   bool holds(const NextRegime<S>& next, const Opens& opens, std::string& why);
+  bool is_near(const Numbers<S>& x) const;
+  bool stays_held(const NextRegime<S>& next, std::string& why) const;
 
   RegimePool<S>& pool_;
   const Switches& switches_;
