@@ -152,8 +152,9 @@ void Hybrid<S>::hit_at(const std::set<std::string>& closing) {
 template <class S>
 bool Hybrid<S>::settle(const Bans& banned, const Bans& ended_here) {
   std::string why;
-  // Each pass but the last one breaks a link.
-  for (std::size_t pass = 0; pass <= pool_.switches().links.size(); ++pass) {
+  bool is_calm = false;
+  // Each pass but the last two breaks a link.
+  for (std::size_t pass = 0; pass <= pool_.switches().links.size() + 1; ++pass) {
     if (outcome_ != Outcome::running) return false;
     Standing<S> standing;
     if (!look(standing)) return false;
@@ -172,8 +173,14 @@ bool Hybrid<S>::settle(const Bans& banned, const Bans& ended_here) {
       overloaded = choice.overloaded();
       if (why.empty()) why = why_not + (choice.underived().empty() ? "" : "; " + choice.underived());
     }
-    if (overloaded.empty()) break;
-    here_.broken.insert(overloaded);
+    if (!overloaded.empty()) {
+      here_.broken.insert(overloaded);
+      continue;
+    }
+    // Rates that count as none may be such that nothing goes on with them, as of a block that has rocked to rest: an impact takes them.
+    if (is_calm) break;
+    is_calm = true;
+    hit_at({});
   }
   if (pool_.has_ended())
     stop(Outcome::interrupted, "");

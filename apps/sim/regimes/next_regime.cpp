@@ -145,9 +145,14 @@ std::optional<Unpressed> RegimeChoice<S>::find_unpressed() const {
   return found;
 }
 
+/// Where rates that count as none have to be taken, slip that comes of that alone does so, too: of a block that has rocked to rest, friction takes both.
 template <class S>
 bool RegimeChoice<S>::rests(std::size_t friction) const {
-  return here_.halted.count(switches_.frictions[friction].name) > 0 || !(length_of(slips_[friction]) > here_.slow());
+  const std::vector<S> slip = slips_[friction], before = standing_.slip(friction);
+  std::vector<S> change = slip;
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] -= before[i];
+  return here_.halted.count(switches_.frictions[friction].name) > 0 || !(length_of(slip) > here_.slow()) ||
+         !(length_of(slip) > 2 * length_of(change));
 }
 
 /// What is closed and what sticks leave it no slip: then it sticks like these.
