@@ -136,6 +136,20 @@ contacts: {c0: {gap: a, restitution: e}, c1: {gap: b - a - h, restitution: e}, c
 forces: {gravity: {uniform: [0, 0, -g]}}
 """
 
+SPINNING = """gauss: 1
+name: ball
+parameters: {m: 0.17, L: 1, r: 0.03*L, g: 9.81*L, mu: 0.2, f: 0.0005*L}
+coordinates: {x: {initial_rate: 2*L}, y: {initial_rate: 0.3*L}, z: {initial: r + 0.1*L}}
+orientations: {q: {quaternion: [e0, e1, e2, e3], angular_velocity: [wx, wy, wz], frame: space, initial_angular_velocity: [0, -40, 5]}}
+bodies: {ball: {mass: m, inertia: 2/5*m*r^2, position: [x, y, z], orientation: q}}
+contacts: {c: {gap: z - r, restitution: 0.6}}
+forces:
+  gravity: {uniform: [0, 0, -g]}
+  f: {slides: ball, at: [x, y, 0], directions: [x, y], limit: mu*c.reaction}
+  roll: {friction: [ball.wx, ball.wy], limit: f*c.reaction}
+  spin: {friction: ball.wz, limit: f/2*c.reaction}
+"""
+
 # On three posts, of which two would do, and turned off them.
 PLANK = """gauss: 1
 name: plank
@@ -466,6 +480,49 @@ class Impacts(Regimes):
         table, events = self.go(WALK, "--duration", "3", "--samples", "7", "--outputs", "z,phi,modes", timeout=60)
         self.assertAlmostEqual(events[-1][0], (0.6 + 0.6 * 4 / 3) / 0.5, delta=1e-9)
         self.assertAlmostEqual(table["phi"][5], 0, delta=1e-15)
+
+    def test_the_unit_of_length_is_of_no_matter_to_an_impact(self):
+        """Friction along the ground, and against rolling and spinning, of a ball of 3 cm and of one of 30 nm."""
+        spins = []
+        for length in (1, 1e-6):
+            table, _ = self.go(SPINNING, "--duration", "0.15", "--samples", "2", "--set", f"L={length}")
+            spins.append([table[name][-1] for name in ("wx", "wy", "wz")] + [table["x_dot"][-1] / length])
+        for one, other in zip(*spins):
+            self.assertAlmostEqual(one, other, delta=1e-11)
+        self.assertLess(spins[0][0], -1)
+
+    def test_what_lands_elsewhere_changes_nothing(self):
+        changed = SPINNING.replace("contacts: {", "contacts: {heavy: {gap: Z}, ").replace("coordinates: {", "coordinates: {Z: {initial: L*0.1}, ")
+        for mass in (1e-6, 1, 1e12):
+            table, _ = self.go(SPINNING, "--duration", "0.15", "--samples", "2")
+            with_other, _ = self.go(changed + f"particles: {{other: {{mass: {mass}, position: [5, 0, Z]}}}}\n", "--duration", "0.15", "--samples", "2")
+            for name in ("wx", "wy", "wz", "x_dot", "z_dot"):
+                self.assertAlmostEqual(with_other[name][-1], table[name][-1], delta=1e-12, msg=(name, mass))
+
+    def test_a_gap_is_none_by_its_own_size(self):
+        """Not by that of coordinates that it has nothing to do with, nor by its factor."""
+        ball = """gauss: 1
+name: ball
+parameters: {m: 1, g: 9.81, k: 1}
+coordinates: {z: {initial: 0.001}, th: {initial: 1e6}}
+bodies: {wheel: {mass: 1, inertia: [1, 1, 1], position: [0, 0, 0], orientation: {axis: z, angle: th}}}
+particles: {p: {mass: m, position: [0, 0, z]}}
+contacts: {floor: {gap: k*z}}
+forces: {weight: {generalized: {z: -m*g}}}
+"""
+        for k in ("1", "1e-9", "1e9"):
+            table, events = self.go(ball, "--duration", "0.1", "--samples", "3", "--set", f"k={k}")
+            self.assertEqual(table["z"][0], 0.001)
+            self.assertAlmostEqual(self.instants(events, "floor hits")[0], math.sqrt(0.002 / G), delta=1e-9)
+        dock = """gauss: 1
+name: dock
+parameters: {m: 1}
+coordinates: {x: {initial: 7e6, initial_rate: 0.001}, y: {initial: 7e6 + 0.005}}
+particles: {p: {mass: m, position: [x, 0, 0]}, q: {mass: m, position: [y, 0, 0]}}
+contacts: {dock: {gap: y - x}}
+"""
+        _, events = self.go(dock, "--duration", "10", "--samples", "3")
+        self.assertAlmostEqual(self.instants(events, "dock hits")[0], 5, delta=1e-5)
 
     def test_two_frictions_on_one_block_hold_together(self):
         """Up to the sum of their limits, in either order, and then both act."""
