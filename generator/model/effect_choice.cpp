@@ -154,8 +154,21 @@ class Choosing {
       refuse(later(effect, *excluded), effect,
              fmt::format("'{}' excludes '{}', which acts, too", name_of(effect), other.text),
              words_.empty() ? std::string("write 'default: on' at one of the two")
-                            : fmt::format("leave one of the two out, as by '-{}'", other.text));
+             : effects_[*excluded].one_of
+                 ? fmt::format("name another one of '{}', as {}, or leave '{}' out", effects_[*excluded].one_of->text,
+                               others_of_its_group(*excluded), name_of(effect))
+                 : fmt::format("leave one of the two out, as by '-{}'", other.text));
     }
+  }
+
+  /// Of alternatives, one acts: taking it away alone leaves none.
+  std::string others_of_its_group(std::size_t effect) const {
+    std::vector<std::string> others;
+    for (std::size_t i = 0; i < effects_.size(); ++i) {
+      const auto& group = effects_[i].one_of;
+      if (i != effect && group && group->text == effects_[effect].one_of->text) others.push_back(effects_[i].name.text);
+    }
+    return support::joined(others);
   }
 
   bool excludes(std::size_t effect, std::size_t other) const {
