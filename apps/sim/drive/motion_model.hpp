@@ -118,7 +118,11 @@ class MotionModel {
 
   bool keeps_energy() const { return how_ == Projection::energy; }
   /// All constraints; a model without any stays where it is.
-  Status constraint_projection(const S& t, State& state) const { return onto(functions_->projection, t, state); }
+  Status constraint_projection(const S& t, State& state) const {
+    const Status status = onto(functions_->projection, t, state);
+    if (functions_->projection) forget_remains(state);
+    return status;
+  }
   /// As it was chosen.
   Status projection(const S& t, State& state) const {
     using namespace gauss::integrate;
@@ -150,6 +154,13 @@ class MotionModel {
     if (keeps_energy() && gauss::integrate::is_motion_known(status))
       gauss::integrate::detail::to_energy<Energy>(*this, t, level_, state);
     return status;
+  }
+
+  /// What has come to rest is slower after each projection, until squares of its speeds have no digits, and whether rows agree is told by these.
+  void forget_remains(State& state) const {
+    const S root = gauss::Math<S>::epsilon() * gauss::Math<S>::epsilon(), least = root * root;
+    for (std::size_t i = functions_->n_q; i < state.values.size(); ++i)
+      if (gauss::integrate::magnitude(state.values[i]) < least) state.values[i] = S(0);
   }
 
   static Status onto(const Callable<S>& function, const S& t, State& state) {

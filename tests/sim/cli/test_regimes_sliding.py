@@ -247,6 +247,16 @@ class Sliding(Regimes):
             energy = table["energy.total"]
             self.assertTrue(all(later <= before + 1e-9 for before, later in zip(energy, energy[1:])))
 
+    def test_what_has_come_to_rest_stays_so(self):
+        """Until squares of its speeds are no numbers any more."""
+        for samples in ("11", "25"):
+            light = crate(v=2e-4, w=4, cx=2e-5, cy=1e-5).replace("m: 3, a: 0.4, b: 0.3, h: 0.1, g: 9.81", "m: 3e-6, a: 4e-5, b: 3e-5, h: 1e-5, g: 9.81e-4")
+            table, events = self.go(light, "--duration", "1.5", "--samples", samples)
+            self.assertEqual(len([1 for _, words, _ in events if words.endswith("sticks")]), 4)
+            for name in ("x_dot", "y_dot", "wz"):
+                self.assertEqual(table[name][-1], 0)
+            self.assertNotIn("tighter run stops", " ".join(map(str, self.summary("x.json").get("warnings", []))))
+
     def test_a_foot_that_shares_could_only_pull_bears_nothing_in_any_order(self):
         """Least loads would pull at the first foot; without the middle one there are none but one share."""
         # N_1 + N_3 = m g, and no moment about the middle: x_1 N_1 + x_3 N_3 = h (mu_1 N_1 + mu_3 N_3)
